@@ -1,0 +1,116 @@
+//! The rigid body.
+
+use crate::error::BodyError;
+use crate::mass::MassProperties;
+use crate::math::{Quat, SymMat3, Vec3};
+use crate::scalar::{Scalar, Scaled};
+
+/// A rigid body: where it is, how it moves, and how hard it is to move.
+///
+/// Positions and velocities are plain fields. Mass and inertia are set together, through [`MassProperties`], and the
+/// orientation through [`set_orientation`](Self::set_orientation), which keeps the world-frame tensor R I^-1 R^T up to
+/// date. 100 bytes in f32; in fixed point 116.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Body<S: Scalar> {
+    /// The centre of mass in the world's frame.
+    pub position: Vec3<S>,
+    /// The velocity of the centre of mass in the world's frame.
+    pub linear_velocity: Vec3<S>,
+    /// The angular velocity in the world's frame, rad per unit of time.
+    pub angular_velocity: Vec3<S>,
+    pub(crate) inv_mass: S::Scaled,
+    pub(crate) inv_inertia_world: SymMat3<S::Unit>,
+    pub(crate) exponent: S::Exponent,
+    inv_inertia_local: SymMat3<S::Unit>,
+    orientation: Quat<S>,
+}
+
+impl<S: Scalar> Body<S> {
+    /// A body that nothing moves: the ground, a wall. With a velocity set it is kinematic: it strikes, and is not
+    /// deflected.
+    pub const fn immovable() -> Self {
+        Self {
+            position: Vec3::ZERO,
+            linear_velocity: Vec3::ZERO,
+            angular_velocity: Vec3::ZERO,
+            inv_mass: S::Scaled::ZERO,
+            inv_inertia_world: SymMat3::ZERO,
+            exponent: S::NO_EXPONENT,
+            inv_inertia_local: SymMat3::ZERO,
+            orientation: Quat::IDENTITY,
+        }
+    }
+
+    /// A body with the given mass and inertia, at rest at the origin.
+    pub const fn dynamic(mass: MassProperties<S>) -> Self {
+        Self {
+            inv_mass: mass.inv_mass,
+            inv_inertia_world: mass.inv_inertia,
+            exponent: mass.exponent,
+            inv_inertia_local: mass.inv_inertia,
+            ..Self::immovable()
+        }
+    }
+
+    /// The orientation.
+    #[inline(always)]
+    pub const fn orientation(&self) -> Quat<S> {
+        self.orientation
+    }
+
+    /// Turns the body, and its inertia tensor with it.
+    pub fn set_orientation(&mut self, orientation: Quat<S>) {
+        self.orientation = orientation;
+        self.inv_inertia_world = self.inv_inertia_local.rotated(&orientation.to_mat3());
+    }
+
+    /// Whether impulses leave the body as it is: its inverse mass and inertia are zero.
+    #[inline(always)]
+    pub fn is_immovable(&self) -> bool {
+        self.inv_mass == S::Scaled::ZERO && self.inv_inertia_local == SymMat3::ZERO
+    }
+
+    /// The inverse mass, 1/kg; zero where the body is immovable.
+    #[inline(always)]
+    pub fn inv_mass(&self) -> S::Scaled {
+        self.inv_mass
+    }
+
+    /// The inverse inertia tensor in the body's frame, 1/(kg m^2): xx, xy, xz, yy, yz, zz.
+    pub fn inv_inertia_local(&self) -> [S::Scaled; 6] {
+        self.unblocked(&self.inv_inertia_local)
+    }
+
+    /// The inverse inertia tensor in the world's frame, R I^-1 R^T, 1/(kg m^2): xx, xy, xz, yy, yz, zz.
+    pub fn inv_inertia_world(&self) -> [S::Scaled; 6] {
+        self.unblocked(&self.inv_inertia_world)
+    }
+
+    fn unblocked(&self, m: &SymMat3<S::Unit>) -> [S::Scaled; 6] {
+        [m.xx, m.xy, m.xz, m.yy, m.yz, m.zz].map(|x| x.to_scaled().raised(self.exponent))
+    }
+
+    /// The point of the body's frame in the world's frame, seen from the centre of mass: an arm for a contact.
+    #[must_use]
+    pub fn arm(&self, local_point: Vec3<S>) -> Vec3<S> {
+        self.orientation.rotate(local_point)
+    }
+
+    /// The state is finite; always so in fixed point.
+    ///
+    /// # Errors
+    /// [`BodyError`] names the first field with an infinity or NaN in it.
+    pub fn check(&self) -> Result<(), BodyError> {
+        if !self.position.is_finite() {
+            return Err(BodyError::Position);
+        }
+        if !self.linear_velocity.is_finite() {
+            return Err(BodyError::LinearVelocity);
+        }
+        if !self.angular_velocity.is_finite() {
+            return Err(BodyError::AngularVelocity);
+        }
+        Ok(())
+    }
+}

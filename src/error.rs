@@ -1,0 +1,109 @@
+//! What constructors refuse: one small enum per operation, whose variants name the parameter.
+
+use core::error::Error;
+use core::fmt::{Display, Formatter, Result};
+
+macro_rules! errors {
+    ($($(#[$meta:meta])* $name:ident { $($(#[$variant_meta:meta])* $variant:ident => $text:literal),+ $(,)? })+) => {$(
+        $(#[$meta])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[non_exhaustive]
+        pub enum $name {
+            $($(#[$variant_meta])* #[doc = concat!("\n\n`", $text, "`")] $variant),+
+        }
+
+        impl Display for $name {
+            fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+                f.write_str(match self { $(Self::$variant => $text),+ })
+            }
+        }
+
+        impl Error for $name {}
+    )+};
+}
+
+/// A ratio that the format cannot hold, or a denominator of zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RangeError;
+
+impl Display for RangeError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        f.write_str("the ratio is outside the range of the number format")
+    }
+}
+
+impl Error for RangeError {}
+
+errors! {
+    /// A direction that cannot be a [`UnitVec3`](crate::UnitVec3).
+    DirectionError {
+        /// A component is infinite or NaN.
+        NotFinite => "direction: a component is not finite",
+        /// All components are zero.
+        Zero => "direction: the vector is zero",
+        /// The length is not one.
+        NotUnit => "direction: the vector is not of unit length; use `UnitVec3::normalize`",
+    }
+
+    /// A quaternion that is not a rotation.
+    OrientationError {
+        /// A component is infinite or NaN.
+        NotFinite => "orientation: a component is not finite",
+        /// All components are zero.
+        Zero => "orientation: the quaternion is zero",
+        /// The length is not one.
+        NotUnit => "orientation: the quaternion is not of unit length; use `Quat::normalize`",
+    }
+
+    /// A dimension of a solid that is not positive and finite.
+    SolidError {
+        /// Of a sphere, capsule, cylinder, cone or tube.
+        Radius => "solid: the radius must be positive and finite",
+        /// Of a cuboid.
+        HalfExtent => "solid: each half extent must be positive and finite",
+        /// Of a capsule (where zero is a sphere), cylinder or tube.
+        HalfLength => "solid: the half length must be finite and not negative, of a cylinder positive",
+        /// Of a cone.
+        Height => "solid: the height must be positive and finite",
+        /// Of an ellipsoid.
+        SemiAxis => "solid: each semi-axis must be positive and finite",
+    }
+
+    /// A mass or inertia that no body has.
+    MassError {
+        /// Zero, negative or not finite. A body that cannot move is `Body::immovable`.
+        Mass => "mass: must be positive and finite; an immovable body is `Body::immovable`",
+        /// Zero, negative or not finite.
+        Density => "density: must be positive and finite",
+        /// Not symmetric positive definite, or not finite.
+        Inertia => "inertia: the tensor must be finite and positive definite",
+        /// A principal moment exceeds the sum of the other two.
+        Triangle => "inertia: a principal moment exceeds the sum of the other two",
+    }
+
+    /// A property of a surface pair that the contact law does not know.
+    MaterialError {
+        /// Outside 0 to 1.
+        Restitution => "restitution: must lie in 0 to 1",
+        /// Negative or not finite.
+        Friction => "friction: must be finite and not negative",
+    }
+
+    /// A contact with an arm that is not finite.
+    ContactError {
+        /// From the centre of mass of body A.
+        ArmA => "contact: the arm r_a is not finite",
+        /// From the centre of mass of body B.
+        ArmB => "contact: the arm r_b is not finite",
+    }
+
+    /// A state that is not finite.
+    BodyError {
+        /// The position.
+        Position => "body: the position is not finite",
+        /// The linear velocity.
+        LinearVelocity => "body: the linear velocity is not finite",
+        /// The angular velocity.
+        AngularVelocity => "body: the angular velocity is not finite",
+    }
+}

@@ -1,0 +1,105 @@
+//! Which way a sliding contact slides: a root of one equation in one unknown.
+//!
+//! Sliding means j_t = -u/s for the sliding velocity u after the impact and some s > 0, so that the tangential rows read
+//! (S + s 1) j_t = -q, and s has to bring |j_t| = mu j_n. Sticking is s = 0. With s = m (1 - t)/t for m = max(S_11, S_22),
+//! the unknown t runs from 0 (no friction) to 1 (sticking), and everything in the equation stays of order one:
+//!
+//! ```text
+//! t |N(t)| = mu/K_nn (-b m D(t) + t K_nt . N(t))      N(t) = q + t p,  D(t) = det of t S/m + (1 - t) 1
+//! ```
+//!
+//! At t = 0 the left side is the smaller one, and at t = 1 the larger one whenever sticking is not possible: a root lies
+//! between, whatever the coupling of normal and tangent. It is also the well-conditioned form: for slow friction the
+//! direction N(t) hardly depends on t.
+
+use crate::scalar::Scaled;
+
+/// A bound on the turns of the root search. Newton's method takes 3 to 6 of them; where it leaves the bracket, bisection
+/// takes its place. What the last turn leaves unresolved turns the friction by its share; the cone and Newton's law of
+/// restitution hold all the same.
+pub const MAX_SLIP_ITERATIONS: usize = 24;
+
+/// The equation of sliding, in the form above.
+pub(super) struct Slip<T> {
+    /// N(0).
+    q: [T; 2],
+    /// dN/dt.
+    p: [T; 2],
+    /// D(t) = 1 + t (d1 + t d2).
+    d1: T,
+    d2: T,
+    /// mu m times the frictionless impulse.
+    load: T,
+    /// mu K_nt / K_nn.
+    coupling: [T; 2],
+}
+
+impl<T: Scaled> Slip<T> {
+    /// From S (11, 12, 22), q, the frictionless impulse -b/K_nn, mu, and K_nt/K_nn.
+    #[inline(always)]
+    pub fn new(s: [T; 3], q: [T; 2], frictionless: T, friction: T, g: [T; 2]) -> Self {
+        let m = s[0].max(s[2]);
+        let [s11, s12, s22] = [s[0] / m, s[1] / m, s[2] / m];
+        let p = [(s22 - T::ONE) * q[0] - s12 * q[1], (s11 - T::ONE) * q[1] - s12 * q[0]];
+        let (x, y) = (s11 - T::ONE, s22 - T::ONE);
+        Self {
+            q,
+            p,
+            d1: x + y,
+            d2: x * y - s12 * s12,
+            load: friction * m * frictionless,
+            coupling: [friction * g[0], friction * g[1]],
+        }
+    }
+
+    /// N(t) and its length.
+    #[inline(always)]
+    fn numerator(&self, t: T) -> ([T; 2], T) {
+        let n = [self.q[0] + t * self.p[0], self.q[1] + t * self.p[1]];
+        (n, (n[0] * n[0] + n[1] * n[1]).sqrt())
+    }
+
+    /// Left side minus right side, and its derivative.
+    #[inline(always)]
+    fn excess(&self, t: T) -> (T, T) {
+        let (n, length) = self.numerator(t);
+        let dot = |a: [T; 2], b: [T; 2]| a[0] * b[0] + a[1] * b[1];
+        let along = dot(self.coupling, n);
+        let value = t * (length - along) - self.load * (T::ONE + t * (self.d1 + t * self.d2));
+        let slope = length - along + t * (dot(n, self.p) / length - dot(self.coupling, self.p))
+            - self.load * (self.d1 + t * (self.d2 + self.d2));
+        (value, slope)
+    }
+}
+
+/// The unit direction of sliding after the impact, in the two tangents.
+#[inline]
+pub(super) fn sliding_direction<T: Scaled>(slip: &Slip<T>) -> (T, T) {
+    let half = T::from_parts(1, -1);
+    let (mut low, mut high) = (T::ZERO, T::ONE);
+    // Newton's first step from t = 0, where the value is -load.
+    let (_, slope) = slip.excess(T::ZERO);
+    let mut t = slip.load / slope;
+    if !(t > low && t < high) {
+        t = half;
+    }
+    let tolerance = T::EPSILON + T::EPSILON;
+    for _ in 0..MAX_SLIP_ITERATIONS {
+        let (value, slope) = slip.excess(t);
+        if value < T::ZERO {
+            low = t;
+        } else {
+            high = t;
+        }
+        let next = t - value / slope;
+        let next = if next > low && next < high { next } else { half * (low + high) };
+        let step = next - t;
+        t = next;
+        let small = tolerance * t;
+        if step <= small && -small <= step {
+            break;
+        }
+    }
+    let ([x, y], length) = slip.numerator(t);
+    (x / length, y / length)
+}

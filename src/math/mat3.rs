@@ -1,0 +1,22 @@
+//! The 3x3 matrix, as the rotation of a quaternion.
+
+use super::Vec3;
+use crate::scalar::Scalar;
+
+/// A 3x3 matrix by rows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Mat3<S> {
+    /// First, second and third row.
+    pub rows: [Vec3<S>; 3],
+}
+
+impl<S: Scalar> Mat3<S> {
+    /// The matrix times a column vector, each component rounded once.
+    #[inline]
+    #[must_use]
+    pub fn times(&self, v: Vec3<S>) -> Vec3<S> {
+        let [x, y, z] = self.rows;
+        Vec3::new(x.dot(v), y.dot(v), z.dot(v))
+    }
+}

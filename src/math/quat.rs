@@ -1,0 +1,130 @@
+//! The unit quaternion: an orientation.
+
+use core::ops::Mul;
+
+use super::unit_vec3::is_near_one;
+use super::{Mat3, Vec3};
+use crate::error::OrientationError;
+use crate::scalar::{Scalar, Scaled};
+
+/// A rotation from the body's frame to the world's, as a quaternion of unit length with components in the format
+/// [`Scalar::Unit`] (Q2.30 in fixed point).
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Quat<S: Scalar> {
+    w: S::Unit,
+    x: S::Unit,
+    y: S::Unit,
+    z: S::Unit,
+}
+
+impl<S: Scalar> Quat<S> {
+    /// No rotation.
+    pub const IDENTITY: Self = Self { w: S::Unit::ONE, x: S::Unit::ZERO, y: S::Unit::ZERO, z: S::Unit::ZERO };
+
+    /// A rotation from components w (scalar part), x, y, z whose squares add up to one within 2^-16.
+    ///
+    /// # Errors
+    /// [`OrientationError`]: not finite, zero, or not of unit length.
+    pub fn new(w: S::Unit, x: S::Unit, y: S::Unit, z: S::Unit) -> Result<Self, OrientationError> {
+        let q = Self { w, x, y, z };
+        q.check()?;
+        if is_near_one(q.square()) { Ok(q) } else { Err(OrientationError::NotUnit) }
+    }
+
+    /// The rotation of a quaternion of any length whose square the format holds; within 4 units of the last place of
+    /// [`Scalar::Unit`].
+    ///
+    /// # Errors
+    /// [`OrientationError`]: not finite, or zero.
+    pub fn normalize(w: S::Unit, x: S::Unit, y: S::Unit, z: S::Unit) -> Result<Self, OrientationError> {
+        let q = Self { w, x, y, z };
+        q.check()?;
+        let length = q.square().sqrt();
+        if !length.is_finite() {
+            return Err(OrientationError::NotFinite);
+        }
+        if length == S::Scaled::ZERO {
+            return Err(OrientationError::Zero);
+        }
+        let component = |c: S::Unit| S::Unit::from_scaled(c.to_scaled() / length).0;
+        Ok(Self { w: component(w), x: component(x), y: component(y), z: component(z) })
+    }
+
+    fn check(self) -> Result<(), OrientationError> {
+        let [w, x, y, z] = self.to_array();
+        if !(w.is_finite() && x.is_finite() && y.is_finite() && z.is_finite()) {
+            return Err(OrientationError::NotFinite);
+        }
+        if self.to_array() == [S::Unit::ZERO; 4] {
+            return Err(OrientationError::Zero);
+        }
+        Ok(())
+    }
+
+    fn square(self) -> S::Scaled {
+        let vector = [self.x, self.y, self.z];
+        let zero = S::Unit::ZERO;
+        S::Unit::scaled_dot3([self.w, zero, zero], [self.w, zero, zero]) + S::Unit::scaled_dot3(vector, vector)
+    }
+
+    /// The components w, x, y, z.
+    #[inline(always)]
+    pub const fn to_array(self) -> [S::Unit; 4] {
+        [self.w, self.x, self.y, self.z]
+    }
+
+    /// The inverse rotation.
+    #[inline(always)]
+    #[must_use]
+    pub fn conjugate(self) -> Self {
+        Self { w: self.w, x: self.x.negated(), y: self.y.negated(), z: self.z.negated() }
+    }
+
+    /// The rotation matrix, within 3 units of the last place of [`Scalar::Unit`] a component.
+    #[must_use]
+    pub fn to_mat3(self) -> Mat3<S::Unit> {
+        let Self { w, x, y, z } = self;
+        let zero = S::Unit::ZERO;
+        // 1 - 2 (a^2 + b^2), with the doubling as two subtractions: twice a unit does not fit the format.
+        let diagonal = |a, b| {
+            let square = S::Unit::dot3([a, b, zero], [a, b, zero]);
+            S::Unit::ONE.minus(square).minus(square)
+        };
+        let twice = |u: S::Unit| u.plus(u);
+        let sum = |a, b, c, d| twice(S::Unit::dot3([a, c, zero], [b, d, zero]));
+        let difference = |a, b, c, d| twice(S::Unit::det2(a, c, d, b));
+        Mat3 {
+            rows: [
+                Vec3::new(diagonal(y, z), difference(x, y, w, z), sum(x, z, w, y)),
+                Vec3::new(sum(x, y, w, z), diagonal(x, z), difference(y, z, w, x)),
+                Vec3::new(difference(x, z, w, y), sum(y, z, w, x), diagonal(x, y)),
+            ],
+        }
+    }
+
+    /// A vector of the body's frame in the world's frame.
+    #[must_use]
+    pub fn rotate(self, v: Vec3<S>) -> Vec3<S> {
+        let [x, y, z] = self.to_mat3().rows;
+        let v = v.to_array();
+        Vec3::new(S::dot3_unit(v, x.to_array()), S::dot3_unit(v, y.to_array()), S::dot3_unit(v, z.to_array()))
+    }
+}
+
+impl<S: Scalar> Mul for Quat<S> {
+    type Output = Self;
+
+    /// The rotation `other` followed by the rotation `self`.
+    fn mul(self, other: Self) -> Self {
+        let [a, b, c, d] = self.to_array();
+        let [e, f, g, h] = other.to_array();
+        let vector = [b, c, d];
+        Self {
+            w: a.times(e).minus(S::Unit::dot3(vector, [f, g, h])),
+            x: S::Unit::dot3([a, b, c], [f, e, h]).minus(d.times(g)),
+            y: S::Unit::dot3([a, c, d], [g, e, f]).minus(b.times(h)),
+            z: S::Unit::dot3([a, d, b], [h, e, g]).minus(c.times(f)),
+        }
+    }
+}

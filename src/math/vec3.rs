@@ -1,0 +1,128 @@
+//! The 3-vector.
+
+use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
+
+use crate::scalar::Scalar;
+
+/// A vector of three components, in metres, m/s, rad/s or whatever the caller's units are.
+///
+/// In fixed point every operation takes the end of the range where a component leaves it, and [`dot`](Self::dot),
+/// [`cross`](Self::cross) and [`length`](Self::length) round once, from an exact 64-bit sum.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Vec3<S> {
+    /// Along the first axis.
+    pub x: S,
+    /// Along the second axis.
+    pub y: S,
+    /// Along the third axis.
+    pub z: S,
+}
+
+impl<S> Vec3<S> {
+    /// A vector from its components.
+    #[inline(always)]
+    pub const fn new(x: S, y: S, z: S) -> Self {
+        Self { x, y, z }
+    }
+}
+
+impl<S: Copy> Vec3<S> {
+    /// The components in the order x, y, z.
+    #[inline(always)]
+    pub const fn to_array(self) -> [S; 3] {
+        [self.x, self.y, self.z]
+    }
+
+    /// A vector from its components in the order x, y, z.
+    #[inline(always)]
+    pub const fn from_array(v: [S; 3]) -> Self {
+        Self { x: v[0], y: v[1], z: v[2] }
+    }
+}
+
+impl<S: Scalar> Vec3<S> {
+    /// The zero vector.
+    pub const ZERO: Self = Self::new(S::ZERO, S::ZERO, S::ZERO);
+
+    /// The inner product.
+    #[inline(always)]
+    #[must_use]
+    pub fn dot(self, other: Self) -> S {
+        S::dot3(self.to_array(), other.to_array())
+    }
+
+    /// The cross product `self x other`.
+    #[inline(always)]
+    #[must_use]
+    pub fn cross(self, other: Self) -> Self {
+        Self::new(
+            S::det2(self.y, self.z, other.y, other.z),
+            S::det2(self.z, self.x, other.z, other.x),
+            S::det2(self.x, self.y, other.x, other.y),
+        )
+    }
+
+    /// The length, rounded once.
+    #[inline(always)]
+    #[must_use]
+    pub fn length(self) -> S {
+        S::length3(self.to_array())
+    }
+
+    /// No component is an infinity or NaN; always true in fixed point.
+    #[inline(always)]
+    pub fn is_finite(self) -> bool {
+        self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
+    }
+}
+
+impl<S: Scalar> Add for Vec3<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self::new(self.x.plus(other.x), self.y.plus(other.y), self.z.plus(other.z))
+    }
+}
+
+impl<S: Scalar> Sub for Vec3<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.x.minus(other.x), self.y.minus(other.y), self.z.minus(other.z))
+    }
+}
+
+impl<S: Scalar> Neg for Vec3<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self::new(self.x.negated(), self.y.negated(), self.z.negated())
+    }
+}
+
+impl<S: Scalar> Mul<S> for Vec3<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, factor: S) -> Self {
+        Self::new(self.x.times(factor), self.y.times(factor), self.z.times(factor))
+    }
+}
+
+impl<S: Scalar> AddAssign for Vec3<S> {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<S: Scalar> SubAssign for Vec3<S> {
+    #[inline(always)]
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}

@@ -1,0 +1,213 @@
+//! Number types: the trait [`Scalar`], and one file for each type that implements it.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::error::RangeError;
+
+#[cfg(any(feature = "f32", feature = "f64", feature = "micromath"))]
+mod float;
+
+#[cfg(feature = "f32")]
+mod f32;
+#[cfg(feature = "f64")]
+mod f64;
+#[cfg(feature = "fixed")]
+mod fixed;
+#[cfg(all(feature = "f32", target_arch = "arm", target_abi = "eabihf"))]
+mod fpu;
+#[cfg(feature = "fixed")]
+mod integer;
+#[cfg(feature = "micromath")]
+mod micromath;
+#[cfg(feature = "fixed")]
+mod scaled32;
+
+#[cfg(feature = "fixed")]
+pub use self::scaled32::Scaled32;
+
+/// A number type of the kernel, with the family of formats that goes with it.
+///
+/// | | stores | `f32` | `FixedI32<Frac>` |
+/// |---|---|---|---|
+/// | `Self` | positions, velocities, masses, impulses | `f32` | `Frac` fraction bits, 0 to 30 |
+/// | [`Unit`](Self::Unit) | components of unit vectors, quaternions, rotations | `f32` | Q2.30 |
+/// | [`Scaled`](Self::Scaled) | what lies between reading a body and writing it | `f32` | 30 bits and an exponent |
+/// | [`SubStep`](Self::SubStep) | the length of a sub-step, below one second | `f32` | Q0.31 |
+/// | [`Remainder`](Self::Remainder) | what a position could not hold of its motion | `f32` | 16 bits |
+///
+/// Sums of products are formed in 64 bits in fixed point and rounded **once**, to the nearest, ties away from zero: a
+/// change of sign of the operands changes the sign of the result and nothing else. In floating point each operation
+/// rounds, in the order written. Results beyond the format's range take its largest value; nothing wraps or panics.
+/// Three-component operands are arrays in the order x, y, z.
+pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync + 'static {
+    /// Components of unit vectors: magnitudes up to one, and a little more in between.
+    type Unit: Scalar<Unit = Self::Unit, Scaled = Self::Scaled, Exponent = Self::Exponent>;
+    /// Intermediate results of any magnitude.
+    type Scaled: Scaled<Unit = Self::Unit, Exponent = Self::Exponent>;
+    /// The power of two that a block of [`Unit`](Self::Unit) numbers shares; of size zero in floating point.
+    type Exponent: Copy + Default + Debug + PartialEq + Send + Sync + 'static;
+    /// Length of a sub-step in seconds.
+    type SubStep: Copy + Default + Debug + PartialEq + Send + Sync + 'static;
+    /// What [`advance`](Self::advance) carries from one sub-step to the next.
+    type Remainder: Copy + Default + Debug + PartialEq + Send + Sync + 'static;
+
+    /// Zero.
+    const ZERO: Self;
+    /// One.
+    const ONE: Self;
+    /// Two to the zeroth.
+    const NO_EXPONENT: Self::Exponent;
+
+    /// `numerator / denominator`, rounded to the nearest: constants without float literals.
+    ///
+    /// # Errors
+    /// [`RangeError`] where the denominator is zero or the quotient beyond the format.
+    fn from_ratio(numerator: i32, denominator: i32) -> Result<Self, RangeError>;
+
+    /// `numerator / denominator` seconds as the length of a sub-step: in `[0, 1)`.
+    ///
+    /// # Errors
+    /// [`RangeError`] where the quotient is outside `[0, 1)`.
+    fn sub_step(numerator: i32, denominator: i32) -> Result<Self::SubStep, RangeError>;
+
+    /// Neither an infinity nor a NaN; always true in fixed point.
+    fn is_finite(self) -> bool;
+
+    /// The stored bits, zero-extended: what state hashes are made of.
+    fn bits(self) -> u64;
+
+    /// `self + other`.
+    #[must_use]
+    fn plus(self, other: Self) -> Self;
+
+    /// `self - other`.
+    #[must_use]
+    fn minus(self, other: Self) -> Self;
+
+    /// `self * other`.
+    #[must_use]
+    fn times(self, other: Self) -> Self;
+
+    /// `self / other`. By zero: an infinity or NaN in floating point; in fixed point the end of the range with the sign
+    /// of `self`, and 0/0 is 0.
+    #[must_use]
+    fn over(self, other: Self) -> Self;
+
+    /// `-self`.
+    #[must_use]
+    fn negated(self) -> Self;
+
+    /// The square root, correctly rounded (`micromath::F32`: within 1e-5 of it, relative). Of a negative number: NaN,
+    /// in fixed point zero.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// `a0 b0 + a1 b1 + a2 b2`.
+    #[must_use]
+    fn dot3(a: [Self; 3], b: [Self; 3]) -> Self;
+
+    /// `a d - b c`: a component of a cross product.
+    #[must_use]
+    fn det2(a: Self, b: Self, c: Self, d: Self) -> Self;
+
+    /// `v0 d0 + v1 d1 + v2 d2` with a row of a rotation or a unit vector.
+    #[must_use]
+    fn dot3_unit(v: [Self; 3], d: [Self::Unit; 3]) -> Self;
+
+    /// The length of a vector.
+    #[must_use]
+    fn length3(v: [Self; 3]) -> Self;
+
+    /// The vector divided by its length; `None` where that is zero or not finite.
+    ///
+    /// In fixed point the direction is as good as the given components allow, however short the vector: each component
+    /// is within 2 units of 2^-30 of the exact quotient. In f32 vectors shorter than 1e-19 or longer than 1e19 are
+    /// scaled first.
+    fn normalize3(v: [Self; 3]) -> Option<[Self::Unit; 3]>;
+
+    /// The vector as a block: `v = block * 2^exponent` with components within +-1/2 (in floating point: itself).
+    fn align3(v: [Self; 3]) -> ([Self::Unit; 3], Self::Exponent);
+
+    /// `v0 d0 + v1 d1 + v2 d2`, exact before it is rounded to [`Scaled`](Self::Scaled).
+    /// `d` is of length at most two.
+    fn scaled_dot3(v: [Self; 3], d: [Self::Unit; 3]) -> Self::Scaled;
+
+    /// `(b - a) . d`, exact before it is rounded: the difference may be beyond the format. `d` is of unit length.
+    fn relative_dot3(a: [Self; 3], b: [Self; 3], d: [Self::Unit; 3]) -> Self::Scaled;
+
+    /// `x + k d`, rounded once a component, and whether a component met the end of the range. `d` is within +-2.
+    fn add_scaled3(x: [Self; 3], d: [Self::Unit; 3], k: Self::Scaled) -> ([Self; 3], bool);
+
+    /// The same number as a [`Scaled`](Self::Scaled), rounded to its 30 bits.
+    fn to_scaled(self) -> Self::Scaled;
+
+    /// The nearest number of the format, and whether the end of the range was met.
+    fn from_scaled(x: Self::Scaled) -> (Self, bool);
+
+    /// `self + velocity * h`, with what the format cannot hold carried in `remainder`, so that the slowest motion
+    /// arrives in the end: 1 mm/s over 1/240 s is a quarter of a unit of Q16.16, and would never leave without it.
+    /// Also whether the end of the range was met.
+    fn advance(self, velocity: Self, h: Self::SubStep, remainder: &mut Self::Remainder) -> (Self, bool);
+}
+
+/// Intermediate results of the kernel: a small floating-point arithmetic of its own in fixed point
+/// ([`Scaled32`]), the float itself otherwise. Operators round to the nearest and never panic.
+pub trait Scaled:
+    Copy
+    + Default
+    + Debug
+    + PartialEq
+    + PartialOrd
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// Mantissas of a block.
+    type Unit: Copy;
+    /// The power of two of a block.
+    type Exponent: Copy;
+
+    /// Zero.
+    const ZERO: Self;
+    /// One.
+    const ONE: Self;
+    /// The ratio of a circle's circumference to its diameter.
+    const PI: Self;
+    /// The spacing of numbers just above one.
+    const EPSILON: Self;
+
+    /// `mantissa * 2^exponent`, rounded: any value, whatever the format of the scalar.
+    fn from_parts(mantissa: i32, exponent: i32) -> Self;
+
+    /// Neither an infinity nor a NaN; in fixed point: not the quotient by zero.
+    fn is_finite(self) -> bool;
+
+    /// The square root; of a negative number NaN, in fixed point zero.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// `self * 2^exponent` for the exponent of a block.
+    #[must_use]
+    fn raised(self, exponent: Self::Exponent) -> Self;
+
+    /// Three numbers as a block with components within +-1/2 (in floating point: themselves).
+    fn align3(v: [Self; 3]) -> ([Self::Unit; 3], Self::Exponent);
+
+    /// `numerator / denominator` for small integers.
+    #[must_use]
+    fn ratio(numerator: i32, denominator: i32) -> Self {
+        Self::from_parts(numerator, 0) / Self::from_parts(denominator, 0)
+    }
+
+    /// The larger of two.
+    #[must_use]
+    fn max(self, other: Self) -> Self {
+        if self < other { other } else { self }
+    }
+}

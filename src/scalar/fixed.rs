@@ -1,0 +1,267 @@
+//! `FixedI32<Frac>`: 32-bit fixed point with any number of fraction bits from 0 to 30.
+
+use fixed::FixedI32;
+use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30, U31};
+use fixed::types::I2F30;
+
+use super::Scalar;
+use super::integer::{round_shift, round_sqrt, wide_quotient};
+use super::scaled32::{Scaled32, shift_product};
+use crate::error::RangeError;
+
+/// `x` clipped to 32 bits, and whether that changed it.
+#[inline(always)]
+const fn clip(x: i64) -> (i32, bool) {
+    if x > i32::MAX as i64 {
+        (i32::MAX, true)
+    } else if x < i32::MIN as i64 {
+        (i32::MIN, true)
+    } else {
+        (x as i32, false)
+    }
+}
+
+#[inline(always)]
+const fn product(a: i32, b: i32) -> i64 {
+    (a as i64).wrapping_mul(b as i64)
+}
+
+/// `(p + q + r) / 2^frac` rounded and clipped, for products of 32-bit numbers and `frac <= 30`.
+///
+/// A sum of three products that leaves 64 bits comes back with a magnitude of at least 2^64 - 3 * 2^62 = 2^62, and a
+/// result that fits needs less than 2^61: the wrapped sum is never taken for a good one, and only the cold path has to
+/// find the true sign.
+#[inline(always)]
+fn narrow_sum(p: i64, q: i64, r: i64, frac: u32) -> i32 {
+    let rounded = round_shift(p.wrapping_add(q).wrapping_add(r), frac);
+    if rounded as i32 as i64 == rounded { rounded as i32 } else { end_of_range(p, q, r) }
+}
+
+/// The end of the range on the side of `p + q + r`.
+#[cold]
+#[inline(never)]
+fn end_of_range(p: i64, q: i64, r: i64) -> i32 {
+    // Halved twice, the sum fits; it is far from zero here.
+    if (p >> 2).wrapping_add(q >> 2).wrapping_add(r >> 2) < 0 { i32::MIN } else { i32::MAX }
+}
+
+/// The exact sum of three products; the caller knows that it fits.
+#[inline(always)]
+const fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
+    product(a[0], b[0]).wrapping_add(product(a[1], b[1])).wrapping_add(product(a[2], b[2]))
+}
+
+/// The places by which a vector can move left so that its components stay within 29 bits: -2 to 29.
+#[inline(always)]
+const fn headroom(v: [i32; 3]) -> i32 {
+    // x ^ (x >> 31) is |x| for this purpose, without its exception at the lowest number.
+    let magnitude = (v[0] ^ (v[0] >> 31)) | (v[1] ^ (v[1] >> 31)) | (v[2] ^ (v[2] >> 31));
+    (magnitude.leading_zeros() as i32).wrapping_sub(3)
+}
+
+#[inline(always)]
+const fn move_left(x: i32, places: i32) -> i32 {
+    if places >= 0 {
+        x.wrapping_shl(places as u32)
+    } else {
+        round_shift(x as i64, places.unsigned_abs()) as i32
+    }
+}
+
+#[inline(always)]
+fn bits3<Frac>(v: [FixedI32<Frac>; 3]) -> [i32; 3] {
+    [v[0].to_bits(), v[1].to_bits(), v[2].to_bits()]
+}
+
+#[inline(always)]
+fn units(v: [i32; 3]) -> [I2F30; 3] {
+    [I2F30::from_bits(v[0]), I2F30::from_bits(v[1]), I2F30::from_bits(v[2])]
+}
+
+/// `|n| 2^frac / |d|` with its sign, clipped.
+#[inline]
+fn divide(n: i32, d: i32, frac: u32) -> (i32, bool) {
+    let negative = (n ^ d) < 0;
+    let magnitude = if d == 0 { None } else { wide_quotient(n.unsigned_abs(), d.unsigned_abs(), frac) };
+    match magnitude {
+        _ if n == 0 => (0, d == 0),
+        Some(q) => ((q as i32).wrapping_mul(if negative { -1 } else { 1 }), false),
+        // By zero the sign of the dividend decides; `d >= 0` there.
+        None => (if negative { i32::MIN } else { i32::MAX }, true),
+    }
+}
+
+impl<Frac> Scalar for FixedI32<Frac>
+where
+    Frac: LeEqU32 + IsLessOrEqual<U30, Output = True> + Send + Sync + 'static,
+{
+    type Unit = I2F30;
+    type Scaled = Scaled32;
+    type Exponent = i32;
+    type SubStep = FixedI32<U31>;
+    type Remainder = u16;
+
+    const ZERO: Self = Self::from_bits(0);
+    const ONE: Self = Self::from_bits(1 << Frac::U32);
+    const NO_EXPONENT: i32 = 0;
+
+    #[inline]
+    fn from_ratio(numerator: i32, denominator: i32) -> Result<Self, RangeError> {
+        match divide(numerator, denominator, Frac::U32) {
+            (bits, false) => Ok(Self::from_bits(bits)),
+            (_, true) => Err(RangeError),
+        }
+    }
+
+    #[inline]
+    fn sub_step(numerator: i32, denominator: i32) -> Result<Self::SubStep, RangeError> {
+        match divide(numerator, denominator, 31) {
+            (bits @ 0.., false) => Ok(FixedI32::from_bits(bits)),
+            _ => Err(RangeError),
+        }
+    }
+
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn bits(self) -> u64 {
+        self.to_bits() as u32 as u64
+    }
+
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        Self::from_bits(self.to_bits().saturating_add(other.to_bits()))
+    }
+
+    #[inline(always)]
+    fn minus(self, other: Self) -> Self {
+        Self::from_bits(self.to_bits().saturating_sub(other.to_bits()))
+    }
+
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
+        Self::from_bits(narrow_sum(product(self.to_bits(), other.to_bits()), 0, 0, Frac::U32))
+    }
+
+    #[inline]
+    fn over(self, other: Self) -> Self {
+        Self::from_bits(divide(self.to_bits(), other.to_bits(), Frac::U32).0)
+    }
+
+    #[inline(always)]
+    fn negated(self) -> Self {
+        Self::from_bits(0i32.saturating_sub(self.to_bits()))
+    }
+
+    #[inline]
+    fn sqrt(self) -> Self {
+        let bits = self.to_bits();
+        if bits <= 0 {
+            return Self::ZERO;
+        }
+        Self::from_bits(clip(round_sqrt((bits as u64).wrapping_shl(Frac::U32)) as i64).0)
+    }
+
+    #[inline(always)]
+    fn dot3(a: [Self; 3], b: [Self; 3]) -> Self {
+        let (a, b) = (bits3(a), bits3(b));
+        Self::from_bits(narrow_sum(product(a[0], b[0]), product(a[1], b[1]), product(a[2], b[2]), Frac::U32))
+    }
+
+    #[inline(always)]
+    fn det2(a: Self, b: Self, c: Self, d: Self) -> Self {
+        // A product is at most 2^62, so its negative is exact.
+        let minus = product(b.to_bits(), c.to_bits()).wrapping_neg();
+        Self::from_bits(narrow_sum(product(a.to_bits(), d.to_bits()), minus, 0, Frac::U32))
+    }
+
+    #[inline(always)]
+    fn dot3_unit(v: [Self; 3], d: [I2F30; 3]) -> Self {
+        let (v, d) = (bits3(v), bits3(d));
+        Self::from_bits(narrow_sum(product(v[0], d[0]), product(v[1], d[1]), product(v[2], d[2]), 30))
+    }
+
+    #[inline]
+    fn length3(v: [Self; 3]) -> Self {
+        // At most 3 * 2^62: it fits unsigned, and its root has twice as few fraction bits.
+        let v = bits3(v);
+        Self::from_bits(clip(round_sqrt(dot(v, v) as u64) as i64).0)
+    }
+
+    #[inline]
+    fn normalize3(v: [Self; 3]) -> Option<[I2F30; 3]> {
+        let v = bits3(v);
+        if v == [0; 3] {
+            return None;
+        }
+        // Components of 29 bits; the largest has all of them, so that the length has 29 to 30.
+        let places = headroom(v);
+        let v = [move_left(v[0], places), move_left(v[1], places), move_left(v[2], places)];
+        // The root of the squares times four: the length to half a unit of its 31st bit.
+        let length = round_sqrt((dot(v, v) as u64).wrapping_shl(2));
+        let component = |x: i32| {
+            let bits = wide_quotient(x.unsigned_abs(), length, 31).unwrap_or(1 << 30) as i32;
+            I2F30::from_bits(if x < 0 { bits.wrapping_neg() } else { bits })
+        };
+        Some([component(v[0]), component(v[1]), component(v[2])])
+    }
+
+    #[inline(always)]
+    fn align3(v: [Self; 3]) -> ([I2F30; 3], i32) {
+        let v = bits3(v);
+        let places = headroom(v);
+        let block = units([move_left(v[0], places), move_left(v[1], places), move_left(v[2], places)]);
+        (block, 30i32.wrapping_sub(Frac::I32).wrapping_sub(places))
+    }
+
+    #[inline(always)]
+    fn scaled_dot3(v: [Self; 3], d: [I2F30; 3]) -> Scaled32 {
+        // |v| < 2^31.8 and |d| <= 2^31 in units of the last place: below 2^62.8.
+        Scaled32::new(dot(bits3(v), bits3(d)), -30i32.wrapping_add(Frac::I32))
+    }
+
+    #[inline(always)]
+    fn relative_dot3(a: [Self; 3], b: [Self; 3], d: [I2F30; 3]) -> Scaled32 {
+        // Each dot is below 2^61.8 for a unit vector, their difference below 2^62.8.
+        let d = bits3(d);
+        let difference = dot(bits3(b), d).wrapping_sub(dot(bits3(a), d));
+        Scaled32::new(difference, -30i32.wrapping_add(Frac::I32))
+    }
+
+    #[inline(always)]
+    fn add_scaled3(x: [Self; 3], d: [I2F30; 3], k: Scaled32) -> ([Self; 3], bool) {
+        let down = 60i32.wrapping_sub(Frac::I32).wrapping_sub(k.exponent());
+        let add = |x: Self, d: I2F30| {
+            let change = shift_product(product(d.to_bits(), k.mantissa()), down);
+            clip(change.wrapping_add(x.to_bits() as i64))
+        };
+        let (x0, clipped0) = add(x[0], d[0]);
+        let (x1, clipped1) = add(x[1], d[1]);
+        let (x2, clipped2) = add(x[2], d[2]);
+        ([Self::from_bits(x0), Self::from_bits(x1), Self::from_bits(x2)], clipped0 | clipped1 | clipped2)
+    }
+
+    #[inline(always)]
+    fn to_scaled(self) -> Scaled32 {
+        Scaled32::new(self.to_bits() as i64, Frac::I32.wrapping_neg())
+    }
+
+    #[inline(always)]
+    fn from_scaled(x: Scaled32) -> (Self, bool) {
+        let (bits, clipped) = clip(x.to_bits(Frac::I32));
+        (Self::from_bits(bits), clipped)
+    }
+
+    #[inline]
+    fn advance(self, velocity: Self, h: Self::SubStep, remainder: &mut u16) -> (Self, bool) {
+        // Position and remainder as one number with 16 more places; the product has 31, of which 15 are rounded away.
+        let place = (self.to_bits() as i64).wrapping_shl(16) | *remainder as i64;
+        let moved = place.wrapping_add(round_shift(product(velocity.to_bits(), h.to_bits()), 15));
+        *remainder = moved as u16;
+        let (bits, clipped) = clip(moved >> 16);
+        (Self::from_bits(bits), clipped)
+    }
+}

@@ -1,0 +1,150 @@
+//! Integer arithmetic under the fixed-point formats: rounding shifts, a quotient and a square root.
+//!
+//! Every function is total, wraps nowhere within its stated domain, and uses wrapping operators, so that a build
+//! with `overflow-checks` contains no panic. There is one rounding: to the nearest, ties away from zero, which is
+//! symmetric under a change of sign.
+
+/// `x / 2^s` rounded. `s` in `0..=62`; |x| < 2^63 - 2^(s-1).
+#[inline(always)]
+pub(crate) const fn round_shift(x: i64, s: u32) -> i64 {
+    if s == 0 {
+        return x;
+    }
+    let half = 1i64.wrapping_shl(s.wrapping_sub(1));
+    // The sign bit turns "ties up" into "ties away from zero".
+    x.wrapping_add(half)
+        .wrapping_add(x >> 63)
+        .wrapping_shr(s)
+}
+
+/// Seeds of the reciprocal: `2^16 / (129 + 2i) - 256`, the reciprocal of the middle of the i-th of 64 intervals that
+/// divide `[1/2, 1)`, in 1/256, without its leading 256. Off by at most 2^-6.9 in relative terms.
+const RECIPROCAL_SEED: [u8; 64] = {
+    let mut table = [0; 64];
+    let mut i = 0;
+    while i < 64 {
+        let divisor = 129 + 2 * i as u32;
+        table[i] = ((65536 + divisor / 2) / divisor - 256) as u8;
+        i += 1;
+    }
+    table
+};
+
+/// `1 / d` in Q2.30 for `d` in `[2^29, 2^30)` read as Q2.30 in `[1/2, 1)`; off by at most 2^-26 in relative terms.
+///
+/// Two Newton steps `x (2 - d x)` from a 64-byte table: 7, 13, then 26 bits.
+#[inline(always)]
+pub(crate) const fn reciprocal(d: u32) -> u32 {
+    let index = (d >> 23) & 63;
+    let x0 = RECIPROCAL_SEED[index as usize] as u32 | 256;
+    let residual_q23 = (2u32 << 23).wrapping_sub((d >> 15).wrapping_mul(x0));
+    let x1_q15 = x0.wrapping_mul(residual_q23 >> 8) >> 8;
+    let residual_q45 = (2u64 << 45).wrapping_sub((d as u64).wrapping_mul(x1_q15 as u64));
+    let x2_q45 = (x1_q15 as u64).wrapping_mul(residual_q45 >> 15);
+    (x2_q45 >> 15) as u32
+}
+
+/// `n 2^k / d` rounded, for `n` and `d` in `[2^29, 2^30)` and `k` = 29 or 30: a quotient below 2^31.
+///
+/// The reciprocal gives the quotient to 26 bits, its remainder corrects it to one unit, and the last remainder decides
+/// the rounding: the result is correctly rounded whatever the reciprocal's error was.
+#[inline(always)]
+pub(crate) const fn quotient(n: u32, d: u32, k: u32) -> u32 {
+    let x = reciprocal(d) as u64;
+    let divisor = d as i64;
+    let wide = (n as i64).wrapping_shl(k);
+    let mut q = (n as u64).wrapping_mul(x).wrapping_shr(60u32.wrapping_sub(k)) as i64;
+    let mut r = wide.wrapping_sub(q.wrapping_mul(divisor));
+    // |r| < 2^36: the correction is its high part times the reciprocal.
+    let step = (r >> 8).wrapping_mul(x as i64) >> 52;
+    q = q.wrapping_add(step);
+    r = r.wrapping_sub(step.wrapping_mul(divisor));
+    if r < 0 {
+        q = q.wrapping_sub(1);
+        r = r.wrapping_add(divisor);
+    }
+    if r >= divisor {
+        q = q.wrapping_add(1);
+        r = r.wrapping_sub(divisor);
+    }
+    if r.wrapping_shl(1) >= divisor {
+        q = q.wrapping_add(1);
+    }
+    q as u32
+}
+
+/// `n 2^shift / d` rounded, or `None` where the result would not fit 31 bits. `d > 0`, `shift <= 31`.
+#[inline]
+pub(crate) const fn wide_quotient(n: u32, d: u32, shift: u32) -> Option<u32> {
+    if n == 0 {
+        return Some(0);
+    }
+    let wide = (n as u64).wrapping_shl(shift);
+    let (n_zeros, d_zeros) = (n.leading_zeros(), d.leading_zeros());
+    // floor(log2) of the quotient, or one less.
+    let magnitude = shift as i32 + d_zeros as i32 - n_zeros as i32;
+    if magnitude > 31 {
+        return None;
+    }
+    // An estimate from the leading 30 bits of both.
+    let n30 = leading30(n, n_zeros);
+    let d30 = leading30(d, d_zeros);
+    let q30 = quotient(n30, d30, 30) as u64;
+    let down = 30 - magnitude;
+    let mut q = if down >= 0 {
+        if down > 62 { 0 } else { q30.wrapping_shr(down as u32) }
+    } else {
+        q30.wrapping_shl(down.unsigned_abs())
+    };
+    let mut r = wide.wrapping_sub(q.wrapping_mul(d as u64)) as i64;
+    let divisor = d as i64;
+    // Cutting both to 30 bits moved the estimate by at most six units of 2^31, the shift by one: bounded steps mend it.
+    let mut left = 12;
+    while r < 0 && left > 0 {
+        q = q.wrapping_sub(1);
+        r = r.wrapping_add(divisor);
+        left -= 1;
+    }
+    while r >= divisor && left > 0 {
+        q = q.wrapping_add(1);
+        r = r.wrapping_sub(divisor);
+        left -= 1;
+    }
+    if r.wrapping_shl(1) >= divisor {
+        q = q.wrapping_add(1);
+    }
+    if q > i32::MAX as u64 { None } else { Some(q as u32) }
+}
+
+/// The leading 30 bits of `x > 0`, in `[2^29, 2^30)`, cut off below.
+#[inline(always)]
+const fn leading30(x: u32, zeros: u32) -> u32 {
+    x.wrapping_shl(zeros) >> 2
+}
+
+/// The square root of `x`, cut to an integer: one binary digit a turn, 32 turns.
+#[inline]
+const fn floor_sqrt(x: u64) -> u32 {
+    let mut rest = x;
+    let mut root = 0u64;
+    let mut bit = 1u64 << 62;
+    while bit != 0 {
+        let trial = root.wrapping_add(bit);
+        root >>= 1;
+        if rest >= trial {
+            rest = rest.wrapping_sub(trial);
+            root = root.wrapping_add(bit);
+        }
+        bit >>= 2;
+    }
+    root as u32
+}
+
+/// The square root of `x`, rounded to the nearest integer (a tie cannot happen); `u32::MAX` where that is 2^32.
+#[inline]
+pub(crate) const fn round_sqrt(x: u64) -> u32 {
+    let root = floor_sqrt(x);
+    let rest = x.wrapping_sub((root as u64).wrapping_mul(root as u64));
+    // sqrt(x) > root + 1/2 exactly where x > root^2 + root.
+    if rest > root as u64 { root.saturating_add(1) } else { root }
+}

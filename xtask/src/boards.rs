@@ -1,0 +1,128 @@
+//! The boards that QEMU emulates for us, the number types, and what each needs to be built.
+
+use clap::ValueEnum;
+use std::fmt;
+
+/// The compile targets of the boards, and the one of an M33 without an FPU.
+pub const TARGETS: [&str; 5] = [
+    "thumbv6m-none-eabi",
+    "thumbv7m-none-eabi",
+    "thumbv7em-none-eabihf",
+    "thumbv8m.main-none-eabihf",
+    "thumbv8m.main-none-eabi",
+];
+
+/// The feature sets that firmware is built with: one number type family each.
+pub const FEATURES: [&str; 4] = ["f32", "f64", "fixed", "micromath"];
+
+/// A board in QEMU.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Board {
+    /// Cortex-M0, 16 KB of RAM, no divide, no FPU (BBC micro:bit)
+    M0,
+    /// Cortex-M3, no FPU (MPS2 with AN385)
+    M3,
+    /// Cortex-M4 with single-precision FPU (MPS2 with AN386)
+    M4f,
+    /// Cortex-M7 with FPU (MPS2 with AN500)
+    M7,
+    /// Cortex-M33 with single-precision FPU (LM3S6965 memory map)
+    M33,
+}
+
+impl Board {
+    /// Every board.
+    pub const ALL: &'static [Board] = &[Board::M0, Board::M3, Board::M4f, Board::M7, Board::M33];
+
+    /// The compile target of its firmware.
+    pub fn target(self) -> &'static str {
+        match self {
+            Board::M0 => "thumbv6m-none-eabi",
+            Board::M3 => "thumbv7m-none-eabi",
+            Board::M4f | Board::M7 => "thumbv7em-none-eabihf",
+            Board::M33 => "thumbv8m.main-none-eabihf",
+        }
+    }
+
+    /// The options that make QEMU this board. QEMU 7.2 to 10 know these names.
+    pub fn qemu_machine(self) -> &'static [&'static str] {
+        match self {
+            Board::M0 => &["-machine", "microbit"],
+            Board::M3 => &["-machine", "mps2-an385"],
+            Board::M4f => &["-machine", "mps2-an386"],
+            Board::M7 => &["-machine", "mps2-an500"],
+            // Of the machines whose memory fits `memory.x`, this one takes the processor as an option.
+            Board::M33 => &["-machine", "lm3s6965evb", "-cpu", "cortex-m33"],
+        }
+    }
+}
+
+impl fmt::Display for Board {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Board::M0 => "m0",
+            Board::M3 => "m3",
+            Board::M4f => "m4f",
+            Board::M7 => "m7",
+            Board::M33 => "m33",
+        })
+    }
+}
+
+/// A number type, as examples take it after `--scalar`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Scalar {
+    /// single precision
+    #[value(name = "f32")]
+    F32,
+    /// double precision
+    #[value(name = "f64")]
+    F64,
+    /// fixed point, 16 bits of fraction
+    #[value(name = "i16f16")]
+    I16F16,
+    /// fixed point, 20 bits of fraction
+    #[value(name = "i12f20")]
+    I12F20,
+    /// fixed point, 24 bits of fraction
+    #[value(name = "i8f24")]
+    I8F24,
+    /// single precision with micromath's approximate roots
+    #[value(name = "micromath")]
+    Micromath,
+}
+
+impl Scalar {
+    /// Every number type.
+    pub const ALL: &'static [Scalar] = &[
+        Scalar::F32,
+        Scalar::F64,
+        Scalar::I16F16,
+        Scalar::I12F20,
+        Scalar::I8F24,
+        Scalar::Micromath,
+    ];
+
+    /// The cargo feature that brings it.
+    pub fn feature(self) -> &'static str {
+        match self {
+            Scalar::F32 => "f32",
+            Scalar::F64 => "f64",
+            Scalar::I16F16 | Scalar::I12F20 | Scalar::I8F24 => "fixed",
+            Scalar::Micromath => "micromath",
+        }
+    }
+}
+
+impl fmt::Display for Scalar {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Scalar::F32 => "f32",
+            Scalar::F64 => "f64",
+            Scalar::I16F16 => "i16f16",
+            Scalar::I12F20 => "i12f20",
+            Scalar::I8F24 => "i8f24",
+            Scalar::Micromath => "micromath",
+        })
+    }
+}

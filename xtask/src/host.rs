@@ -1,0 +1,66 @@
+//! Building and running the same examples on this machine, to compare with.
+
+use crate::boards::Scalar;
+use crate::process;
+use crate::toolchain::own_cargo;
+use crate::workspace;
+use anyhow::{Result, bail};
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitStatus};
+use std::time::Duration;
+
+/// How host programs are built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Optimised {
+    Release,
+    Debug,
+}
+
+/// Compiles the examples with the one feature and returns the programs, in the same order.
+pub fn build(feature: &str, optimised: Optimised, examples: &[String]) -> Result<Vec<PathBuf>> {
+    // A folder of its own for each feature: cargo keeps only one program of a name.
+    let folder = workspace::target_dir().join("host").join(feature);
+    let mut cargo = own_cargo();
+    cargo.args(["build", "--quiet", "--no-default-features", "--features", feature, "--target-dir"]);
+    cargo.arg(&folder);
+    if optimised == Optimised::Release {
+        cargo.arg("--release");
+    }
+    for example in examples {
+        workspace::check_example(example)?;
+        cargo.args(["--example", example]);
+    }
+    process::run(&mut cargo)?;
+    let profile = match optimised {
+        Optimised::Release => "release",
+        Optimised::Debug => "debug",
+    };
+    let program = |example| folder.join(profile).join("examples").join(example);
+    Ok(examples.iter().map(program).collect())
+}
+
+/// Runs a program as a board would and returns what it printed.
+pub fn capture(program: &Path, scalar: Scalar, arguments: &[String], limit: Duration) -> Result<(ExitStatus, Vec<u8>)> {
+    match process::capture_for(&mut command(program, scalar, arguments), limit)? {
+        (Some(status), text) => Ok((status, text)),
+        (None, _) => too_slow(program, limit),
+    }
+}
+
+/// Runs a program as a board would, with our standard output.
+pub fn stream(program: &Path, scalar: Scalar, arguments: &[String], limit: Duration) -> Result<ExitStatus> {
+    match process::run_for(&mut command(program, scalar, arguments), limit)? {
+        Some(status) => Ok(status),
+        None => too_slow(program, limit),
+    }
+}
+
+fn command(program: &Path, scalar: Scalar, arguments: &[String]) -> Command {
+    let mut command = Command::new(program);
+    command.arg("--scalar").arg(scalar.to_string()).args(arguments);
+    command
+}
+
+fn too_slow<T>(program: &Path, limit: Duration) -> Result<T> {
+    bail!("{} did not end within {} s and was stopped", program.display(), limit.as_secs())
+}

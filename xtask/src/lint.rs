@@ -1,0 +1,20 @@
+//! Clippy for firmware, which plain `cargo clippy` does not see.
+
+use crate::boards::{FEATURES, TARGETS};
+use crate::process;
+use crate::setup;
+use anyhow::Result;
+
+/// Runs clippy on the library and the examples, for every target and number type; a warning is an error.
+pub fn run(yes: bool) -> Result<()> {
+    let toolchain = setup::ensure_clippy(yes)?;
+    for target in TARGETS {
+        for feature in FEATURES {
+            println!("clippy: {target} {feature}");
+            let mut cargo = toolchain.cargo("clippy", target);
+            cargo.args(["--quiet", "--lib", "--examples", "--no-default-features", "--features", feature]);
+            process::run(cargo.args(["--", "-D", "warnings"]))?;
+        }
+    }
+    Ok(())
+}

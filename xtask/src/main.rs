@@ -1,0 +1,149 @@
+//! carom's driver: `cargo xtask COMMAND`.
+
+mod boards;
+mod cases;
+mod demo;
+mod elf;
+mod firmware;
+mod host;
+mod lint;
+mod process;
+mod qemu;
+mod setup;
+mod test;
+mod toolchain;
+mod workspace;
+
+use anyhow::Result;
+use boards::{Board, Scalar};
+use clap::{Parser, Subcommand};
+use firmware::{Build, Profile};
+use std::process::{ExitCode, ExitStatus};
+use std::time::Duration;
+
+/// Set up, run and test carom's firmware.
+#[derive(Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask")]
+struct Cli {
+    #[command(subcommand)]
+    command: Action,
+}
+
+#[derive(Subcommand)]
+enum Action {
+    /// Install what is missing: QEMU and the Rust targets of the boards
+    ///
+    /// Says what it will install and why, and asks first when it runs in a terminal. QEMU comes from the system's
+    /// package manager. The targets come from rustup; where rustup is not there or fails, from Debian's packages
+    /// rustc-web, cargo-web, rust-web-src and lld, out of which `core` is built into a private folder under target/.
+    /// The environment variable CAROM_THUMB=debian picks Debian's way outright. The other commands do this by
+    /// themselves.
+    Setup(Yes),
+    /// Show a billiard break on two boards and on this machine, and compare them bit for bit
+    Demo(Yes),
+    /// Run everything: host tests in all feature sets, every example on every board, ELF checks
+    ///
+    /// The measured data sets that are not part of the repository are found through the environment variable
+    /// CAROM_VALIDATION; without it, what needs them is not run, and is named.
+    Test {
+        /// Only this stage
+        #[arg(long, value_name = "STAGE")]
+        only: Option<test::Stage>,
+        #[command(flatten)]
+        yes: Yes,
+    },
+    /// Run an example on a board in QEMU
+    ///
+    /// The firmware is given `EXAMPLE --scalar SCALAR ARGS`. The status is the firmware's.
+    Qemu {
+        /// An example, `quickstart` say
+        example: String,
+        /// The board
+        #[arg(long)]
+        board: Board,
+        /// The number type
+        #[arg(long, default_value_t = Scalar::F32)]
+        scalar: Scalar,
+        /// Seconds after which QEMU is stopped
+        #[arg(long, default_value_t = 120, value_name = "SECONDS")]
+        timeout: u64,
+        #[command(flatten)]
+        yes: Yes,
+        /// Arguments for the example
+        #[arg(last = true)]
+        args: Vec<String>,
+    },
+    /// Run an example on this machine, built with the same feature as for a board
+    Host {
+        /// An example, `quickstart` say
+        example: String,
+        /// The number type
+        #[arg(long, default_value_t = Scalar::F32)]
+        scalar: Scalar,
+        /// Seconds after which it is stopped
+        #[arg(long, default_value_t = 120, value_name = "SECONDS")]
+        timeout: u64,
+        /// Arguments for the example
+        #[arg(last = true)]
+        args: Vec<String>,
+    },
+    /// Check linked firmware: no panics, no allocator, no 64-bit division, no floats in fixed point
+    ///
+    /// Follows the calls from every function of carom, and from every `kernel_...` function of an example. Without
+    /// options it builds and checks every example for every target and number type in both profiles.
+    Elf(elf::Options),
+    /// Run clippy for the boards (the host has plain `cargo clippy`)
+    Lint(Yes),
+}
+
+#[derive(clap::Args)]
+struct Yes {
+    /// Install what is missing without asking
+    #[arg(long)]
+    yes: bool,
+}
+
+fn main() -> ExitCode {
+    match run(Cli::parse().command) {
+        Ok(code) => code,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(action: Action) -> Result<ExitCode> {
+    match action {
+        Action::Setup(Yes { yes }) => {
+            setup::ensure(yes)?;
+            println!("setup: all there");
+        }
+        Action::Demo(Yes { yes }) => demo::run(yes)?,
+        Action::Test { only, yes: Yes { yes } } => test::run(only, yes)?,
+        Action::Qemu { example, board, scalar, timeout, yes: Yes { yes }, args } => {
+            workspace::check_example(&example)?;
+            let toolchain = setup::ensure(yes)?;
+            let build = Build { target: board.target(), feature: scalar.feature(), profile: Profile::Release };
+            let elf = &build.run(&toolchain, std::slice::from_ref(&example))?[0];
+            let limit = Duration::from_secs(timeout);
+            let run = qemu::Run { example: &example, elf, board, scalar, arguments: &args, limit };
+            return Ok(status(run.stream()?));
+        }
+        Action::Host { example, scalar, timeout, args } => {
+            let program =
+                &host::build(scalar.feature(), host::Optimised::Release, std::slice::from_ref(&example))?[0];
+            return Ok(status(host::stream(program, scalar, &args, Duration::from_secs(timeout))?));
+        }
+        Action::Elf(options) => elf::run(&options)?,
+        Action::Lint(Yes { yes }) => lint::run(yes)?,
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Another program's status as our own.
+fn status(status: ExitStatus) -> ExitCode {
+    // No code means that a signal ended it.
+    let code = status.code().and_then(|code| u8::try_from(code).ok());
+    code.map_or(ExitCode::FAILURE, ExitCode::from)
+}

@@ -1,0 +1,118 @@
+//! The system's package manager.
+
+use crate::process;
+use anyhow::{Context, Result, bail};
+use std::process::Command;
+
+/// Something to install, and what for.
+#[derive(Clone, Debug)]
+pub struct Package {
+    pub name: String,
+    pub why: &'static str,
+}
+
+/// A package manager that we know how to talk to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Manager {
+    Apt,
+    Dnf,
+    Pacman,
+    Zypper,
+    Apk,
+    Brew,
+}
+
+const ALL: [Manager; 6] =
+    [Manager::Apt, Manager::Dnf, Manager::Pacman, Manager::Zypper, Manager::Apk, Manager::Brew];
+
+impl Manager {
+    /// The one of this machine.
+    pub fn find() -> Result<Self> {
+        ALL.into_iter().find(|manager| process::find(manager.program()).is_some()).context(
+            "qemu-system-arm is missing and so is any package manager to install it with \
+             (apt-get, dnf, pacman, zypper, apk, brew): put QEMU for Arm on PATH and try again",
+        )
+    }
+
+    /// Its program.
+    pub fn program(self) -> &'static str {
+        match self {
+            Manager::Apt => "apt-get",
+            Manager::Dnf => "dnf",
+            Manager::Pacman => "pacman",
+            Manager::Zypper => "zypper",
+            Manager::Apk => "apk",
+            Manager::Brew => "brew",
+        }
+    }
+
+    /// The package that brings `qemu-system-arm`.
+    pub fn qemu(self) -> Package {
+        let name = match self {
+            Manager::Zypper => "qemu-arm",
+            Manager::Brew => "qemu",
+            _ => "qemu-system-arm",
+        };
+        Package { name: name.to_owned(), why: "emulates the boards that firmware runs on" }
+    }
+
+    /// Installs, after refreshing the lists of packages if it does not go without.
+    pub fn install(self, packages: &[Package]) -> Result<()> {
+        let names: Vec<&str> = packages.iter().map(|package| package.name.as_str()).collect();
+        let mut arguments = self.install_arguments().to_vec();
+        arguments.extend(&names);
+        if self != Manager::Apt {
+            return self.run(&arguments);
+        }
+        // Lists that are old or empty are the usual reason for apt-get to fail.
+        self.run(&arguments).or_else(|_| {
+            self.refresh()?;
+            self.run(&arguments)
+        })
+    }
+
+    /// Refreshes the lists of packages.
+    pub fn refresh(self) -> Result<()> {
+        match self {
+            Manager::Apt => self.run(&["update"]),
+            // The others do it as they install.
+            _ => Ok(()),
+        }
+    }
+
+    fn install_arguments(self) -> &'static [&'static str] {
+        match self {
+            // Never at the price of something that is there.
+            Manager::Apt => &["install", "-y", "--no-install-recommends", "--no-remove"],
+            Manager::Dnf => &["install", "-y"],
+            Manager::Pacman => &["-Sy", "--noconfirm", "--needed"],
+            Manager::Zypper => &["--non-interactive", "install"],
+            Manager::Apk => &["add"],
+            Manager::Brew => &["install"],
+        }
+    }
+
+    fn run(self, arguments: &[&str]) -> Result<()> {
+        // Homebrew refuses to run as root; the others need to.
+        let mut command = if self == Manager::Brew || is_root() {
+            Command::new(self.program())
+        } else if process::find("sudo").is_some() {
+            let mut sudo = Command::new("sudo");
+            sudo.arg(self.program());
+            sudo
+        } else {
+            bail!(
+                "installing needs root and there is no sudo: run `{} {}` as root, then try again",
+                self.program(),
+                arguments.join(" ")
+            );
+        };
+        command.args(arguments).env("DEBIAN_FRONTEND", "noninteractive");
+        println!("setup: {}", process::show(&command));
+        process::run(&mut command)
+    }
+}
+
+fn is_root() -> bool {
+    process::stdout_of(Command::new("id").arg("-u")).is_some_and(|id| id.trim() == "0")
+}
