@@ -4,7 +4,7 @@ use crate::boards::Scalar;
 use crate::process;
 use crate::toolchain::own_cargo;
 use crate::workspace;
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus};
 use std::time::Duration;
@@ -18,11 +18,13 @@ pub enum Optimised {
 
 /// Compiles the examples with the one feature and returns the programs, in the same order.
 pub fn build(feature: &str, optimised: Optimised, examples: &[String]) -> Result<Vec<PathBuf>> {
-    // A folder of its own for each feature: cargo keeps only one program of a name.
-    let folder = workspace::target_dir().join("host").join(feature);
     let mut cargo = own_cargo();
     cargo.args(["build", "--quiet", "--no-default-features", "--features", feature, "--target-dir"]);
-    cargo.arg(&folder);
+    cargo.arg(workspace::target_dir());
+    let profile = match optimised {
+        Optimised::Release => "release",
+        Optimised::Debug => "debug",
+    };
     if optimised == Optimised::Release {
         cargo.arg("--release");
     }
@@ -31,12 +33,19 @@ pub fn build(feature: &str, optimised: Optimised, examples: &[String]) -> Result
         cargo.args(["--example", example]);
     }
     process::run(&mut cargo)?;
-    let profile = match optimised {
-        Optimised::Release => "release",
-        Optimised::Debug => "debug",
-    };
-    let program = |example| folder.join(profile).join("examples").join(example);
-    Ok(examples.iter().map(program).collect())
+
+    // Cargo keeps one program of a name; copies stay while it is built again with another feature.
+    let folder = workspace::target_dir().join("host-programs").join(feature).join(profile);
+    std::fs::create_dir_all(&folder)?;
+    let mut programs = Vec::new();
+    for example in examples {
+        let name = format!("{example}{}", std::env::consts::EXE_SUFFIX);
+        let copy = folder.join(&name);
+        let built = workspace::target_dir().join(profile).join("examples").join(&name);
+        std::fs::copy(&built, &copy).with_context(|| format!("copying {}", built.display()))?;
+        programs.push(copy);
+    }
+    Ok(programs)
 }
 
 /// Runs a program as a board would and returns what it printed.

@@ -14,7 +14,7 @@ pub struct Graph {
 pub struct Node {
     /// The functions that it calls, jumps to, or holds the address of.
     pub callees: BTreeSet<usize>,
-    /// It calls through a pointer, and holds no address of a function that this could be.
+    /// It jumps to where no function is, or calls through a pointer while it holds no address of a function.
     pub calls_unknown: bool,
     /// It has instructions of the FPU that compute.
     pub computes_floats: bool,
@@ -69,7 +69,10 @@ fn read(image: &Image, function: &Function) -> Node {
         while at < end {
             let (op, step) = decode(function.address + at, half(function, at), half(function, at + 2));
             match op {
-                Op::Jump(to) if !own.contains(&to) => node.callees.extend(image.function_at(to)),
+                Op::Jump(to) if !own.contains(&to) => match image.function_at(to) {
+                    Some(callee) => drop(node.callees.insert(callee)),
+                    None => node.calls_unknown = true,
+                },
                 Op::CallRegister => calls_register = true,
                 Op::LowHalf { register, value } => low[usize::from(register)] = value,
                 Op::HighHalf { register, value } => {
@@ -82,7 +85,7 @@ fn read(image: &Image, function: &Function) -> Node {
             at += step;
         }
     }
-    node.calls_unknown = calls_register && node.callees.is_empty();
+    node.calls_unknown |= calls_register && node.callees.is_empty();
     node
 }
 

@@ -1,0 +1,48 @@
+//! Which example is run where by `cargo xtask test`.
+
+use crate::boards::{Board, Scalar};
+
+/// One example with the boards and number types it runs in, every combination of them.
+pub struct Case {
+    pub scalars: &'static [Scalar],
+    pub boards: &'static [Board],
+    /// Arguments behind `--scalar`; `{validation}` stands for the folder that `CAROM_VALIDATION` names.
+    pub arguments: &'static [&'static str],
+}
+
+/// What `{validation}` stands for.
+pub const VALIDATION: &str = "{validation}";
+
+const EVERYWHERE: &[Case] = &[Case { scalars: Scalar::ALL, boards: Board::ALL, arguments: &[] }];
+
+/// Measured impacts: the numbers go over the debug channel, which is too slow to do it everywhere.
+const IMPACTS: &[Case] = &[
+    Case {
+        scalars: &[Scalar::I16F16, Scalar::I12F20, Scalar::I8F24],
+        boards: &[Board::M0, Board::M3],
+        arguments: MEASURED,
+    },
+    Case { scalars: &[Scalar::F32, Scalar::I16F16], boards: &[Board::M4f], arguments: MEASURED },
+];
+
+const MEASURED: &[&str] = &["--input", "{validation}/planar_impacts/ellipse_impacts_dev1000.csv"];
+
+/// The cases of an example.
+pub fn cases(example: &str) -> &'static [Case] {
+    match example {
+        "impacts" => IMPACTS,
+        _ => EVERYWHERE,
+    }
+}
+
+/// Whether this machine runs the example unoptimised too, and compares.
+pub fn also_in_debug(example: &str) -> bool {
+    example == "state_hash"
+}
+
+impl Case {
+    /// Whether it needs data that is not in the repository.
+    pub fn needs_validation(&self) -> bool {
+        self.arguments.iter().any(|argument| argument.contains(VALIDATION))
+    }
+}

@@ -1,0 +1,60 @@
+//! The host's stage: tests in all feature sets, and every combination of features compiles.
+
+use crate::boards::FEATURES;
+use crate::process;
+use crate::toolchain::{Toolchain, own_cargo};
+use crate::workspace;
+use anyhow::Result;
+use std::process::Command;
+use std::time::Instant;
+
+/// Targets on which every combination of features has to compile: one without an FPU, one with.
+const CHECKED_TARGETS: [&str; 2] = ["thumbv6m-none-eabi", "thumbv7em-none-eabihf"];
+
+/// Runs the stage.
+pub fn run(toolchain: &Toolchain) -> Result<()> {
+    let sets: [&[&str]; 6] = [
+        &[],
+        &["--no-default-features", "--features", "fixed"],
+        &["--no-default-features", "--features", "f64"],
+        &["--no-default-features", "--features", "micromath"],
+        &["--all-features"],
+        &["--package", "xtask"],
+    ];
+    for set in sets {
+        let mut cargo = own_cargo();
+        timed(cargo.args(["test", "--quiet"]).args(set))?;
+    }
+
+    println!("  the library in all {} combinations of features, for this machine and two targets", 1 << FEATURES.len());
+    for features in combinations() {
+        let mut cargo = own_cargo();
+        cargo.arg("check").arg("--target-dir").arg(workspace::target_dir());
+        process::run(check(&mut cargo, &features))?;
+        for target in CHECKED_TARGETS {
+            process::run(check(&mut toolchain.cargo("check", target), &features))?;
+        }
+    }
+    Ok(())
+}
+
+fn check<'a>(cargo: &'a mut Command, features: &str) -> &'a mut Command {
+    cargo.args(["--quiet", "--lib", "--no-default-features", "--features", features])
+}
+
+/// Every subset of the features, as cargo takes them.
+fn combinations() -> Vec<String> {
+    let subset = |bits: usize| {
+        let chosen = FEATURES.iter().enumerate().filter(|(index, _)| bits >> index & 1 == 1);
+        chosen.map(|(_, feature)| *feature).collect::<Vec<_>>().join(",")
+    };
+    (0..1 << FEATURES.len()).map(subset).collect()
+}
+
+fn timed(command: &mut Command) -> Result<()> {
+    let start = Instant::now();
+    println!("  {}", process::show(command));
+    process::run(command)?;
+    println!("    passed in {} s", start.elapsed().as_secs());
+    Ok(())
+}
