@@ -83,7 +83,8 @@ pub(super) fn sliding_direction<T: Scaled>(slip: &Slip<T>) -> (T, T) {
     if !(t > low && t < high) {
         t = half;
     }
-    let tolerance = T::EPSILON + T::EPSILON;
+    // Where rounding of the value decides the step, further steps gain nothing.
+    let tolerance = T::from_parts(4, 0) * T::EPSILON;
     for _ in 0..MAX_SLIP_ITERATIONS {
         let (value, slope) = slip.excess(t);
         if value < T::ZERO {
@@ -91,14 +92,13 @@ pub(super) fn sliding_direction<T: Scaled>(slip: &Slip<T>) -> (T, T) {
         } else {
             high = t;
         }
-        let next = t - value / slope;
-        let next = if next > low && next < high { next } else { half * (low + high) };
-        let step = next - t;
-        t = next;
+        let step = value / slope;
         let small = tolerance * t;
         if step <= small && -small <= step {
             break;
         }
+        let next = t - step;
+        t = if next > low && next < high { next } else { half * (low + high) };
     }
     let ([x, y], length) = slip.numerator(t);
     (x / length, y / length)
