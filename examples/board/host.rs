@@ -8,9 +8,7 @@ use std::io::{Read, Write};
 /// The program's arguments, without its name.
 pub fn args() -> impl Iterator<Item = &'static str> {
     // Leaked so that host and board hand out the same type.
-    std::env::args_os()
-        .skip(1)
-        .map(|arg| &*Box::leak(arg.to_string_lossy().into_owned().into_boxed_str()))
+    std::env::args_os().skip(1).map(|arg| &*Box::leak(arg.to_string_lossy().into_owned().into_boxed_str()))
 }
 
 /// Ends the program.
@@ -37,15 +35,11 @@ pub struct File(std::fs::File);
 
 impl File {
     pub fn open(path: &str) -> Result<Self, FileError> {
-        std::fs::File::open(path)
-            .map(File)
-            .map_err(|_| FileError::Open)
+        std::fs::File::open(path).map(File).map_err(|_| FileError::Open)
     }
 
     pub fn create(path: &str) -> Result<Self, FileError> {
-        std::fs::File::create(path)
-            .map(File)
-            .map_err(|_| FileError::Open)
+        std::fs::File::create(path).map(File).map_err(|_| FileError::Open)
     }
 
     /// Reads some bytes; none means the end of the file.

@@ -102,15 +102,11 @@ pub struct File(usize);
 
 impl File {
     pub fn open(path: &str) -> Result<Self, FileError> {
-        open_handle(path, nr::open::R_BINARY)
-            .map(File)
-            .ok_or(FileError::Open)
+        open_handle(path, nr::open::R_BINARY).map(File).ok_or(FileError::Open)
     }
 
     pub fn create(path: &str) -> Result<Self, FileError> {
-        open_handle(path, nr::open::W_TRUNC_BINARY)
-            .map(File)
-            .ok_or(FileError::Open)
+        open_handle(path, nr::open::W_TRUNC_BINARY).map(File).ok_or(FileError::Open)
     }
 
     /// Reads some bytes; none means the end of the file.
@@ -138,10 +134,7 @@ fn open_handle(path: &str, mode: usize) -> Option<usize> {
     // The path goes over with a zero byte behind it, which the length does not count.
     let mut name = [0; NAME];
     let (room, _zero) = name.split_at_mut_checked(NAME - 1)?;
-    room.get_mut(..path.len())?
-        .iter_mut()
-        .zip(path.bytes())
-        .for_each(|(slot, byte)| *slot = byte);
+    room.get_mut(..path.len())?.iter_mut().zip(path.bytes()).for_each(|(slot, byte)| *slot = byte);
     let mut block = [name.as_ptr() as usize, mode, path.len()];
     // SAFETY: SYS_OPEN takes the address of a zero-terminated name, a mode and the name's length.
     let handle = unsafe { syscall(nr::OPEN, &mut block) };

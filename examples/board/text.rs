@@ -35,22 +35,12 @@ impl fmt::Display for FileError {
 
 /// Opens a text file for reading.
 pub fn open(path: &str) -> Result<LineReader, FileError> {
-    Ok(LineReader {
-        file: File::open(path)?,
-        buffer: [0; LINE + 2],
-        start: 0,
-        end: 0,
-        at_end: false,
-    })
+    Ok(LineReader { file: File::open(path)?, buffer: [0; LINE + 2], start: 0, end: 0, at_end: false })
 }
 
 /// Creates a text file, or empties the one that is there.
 pub fn create(path: &str) -> Result<LineWriter, FileError> {
-    Ok(LineWriter {
-        file: File::create(path)?,
-        line: Line::new(),
-        failed: false,
-    })
+    Ok(LineWriter { file: File::create(path)?, line: Line::new(), failed: false })
 }
 
 /// A text file being read; see [`open`].
@@ -122,11 +112,7 @@ impl LineWriter {
     /// Writes out what is still buffered; tells of any write that failed on the way.
     pub fn finish(mut self) -> Result<(), FileError> {
         self.flush();
-        if self.failed {
-            Err(FileError::Write)
-        } else {
-            Ok(())
-        }
+        if self.failed { Err(FileError::Write) } else { Ok(()) }
     }
 
     fn flush(&mut self) {
@@ -156,10 +142,7 @@ pub struct Line {
 impl Line {
     /// An empty line.
     pub const fn new() -> Self {
-        Line {
-            buffer: [0; LINE],
-            length: 0,
-        }
+        Line { buffer: [0; LINE], length: 0 }
     }
 
     /// Adds one byte; false when the line is full.

@@ -1,8 +1,8 @@
 //! `FixedI32<Frac>`: 32-bit fixed point with any number of fraction bits from 0 to 30.
 
 use fixed::FixedI32;
-use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30, U31};
 use fixed::types::I2F30;
+use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30, U31};
 
 use super::Scalar;
 use super::integer::{round_shift, round_sqrt, wide_quotient};
@@ -61,11 +61,7 @@ const fn headroom(v: [i32; 3]) -> i32 {
 
 #[inline(always)]
 const fn move_left(x: i32, places: i32) -> i32 {
-    if places >= 0 {
-        x.wrapping_shl(places as u32)
-    } else {
-        round_shift(x as i64, places.unsigned_abs()) as i32
-    }
+    if places >= 0 { x.wrapping_shl(places as u32) } else { round_shift(x as i64, places.unsigned_abs()) as i32 }
 }
 
 #[inline(always)]

@@ -12,9 +12,7 @@ pub(crate) const fn round_shift(x: i64, s: u32) -> i64 {
     }
     let half = 1i64.wrapping_shl(s.wrapping_sub(1));
     // The sign bit turns "ties up" into "ties away from zero".
-    x.wrapping_add(half)
-        .wrapping_add(x >> 63)
-        .wrapping_shr(s)
+    x.wrapping_add(half).wrapping_add(x >> 63).wrapping_shr(s)
 }
 
 /// Seeds of the reciprocal: `2^16 / (129 + 2i) - 256`, the reciprocal of the middle of the i-th of 64 intervals that

@@ -59,7 +59,7 @@ impl Board {
 
 impl fmt::Display for Board {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+        f.pad(match self {
             Board::M0 => "m0",
             Board::M3 => "m3",
             Board::M4f => "m4f",
@@ -94,14 +94,8 @@ pub enum Scalar {
 
 impl Scalar {
     /// Every number type.
-    pub const ALL: &'static [Scalar] = &[
-        Scalar::F32,
-        Scalar::F64,
-        Scalar::I16F16,
-        Scalar::I12F20,
-        Scalar::I8F24,
-        Scalar::Micromath,
-    ];
+    pub const ALL: &'static [Scalar] =
+        &[Scalar::F32, Scalar::F64, Scalar::I16F16, Scalar::I12F20, Scalar::I8F24, Scalar::Micromath];
 
     /// The cargo feature that brings it.
     pub fn feature(self) -> &'static str {
@@ -116,7 +110,7 @@ impl Scalar {
 
 impl fmt::Display for Scalar {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+        f.pad(match self {
             Scalar::F32 => "f32",
             Scalar::F64 => "f64",
             Scalar::I16F16 => "i16f16",

@@ -54,6 +54,6 @@ impl Build {
 
 impl fmt::Display for Build {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {} {}", self.target, self.feature, self.profile)
+        f.pad(&format!("{} {} {}", self.target, self.feature, self.profile))
     }
 }

@@ -131,8 +131,7 @@ fn run(action: Action) -> Result<ExitCode> {
             return Ok(status(run.stream()?));
         }
         Action::Host { example, scalar, timeout, args } => {
-            let program =
-                &host::build(scalar.feature(), host::Optimised::Release, std::slice::from_ref(&example))?[0];
+            let program = &host::build(scalar.feature(), host::Optimised::Release, std::slice::from_ref(&example))?[0];
             return Ok(status(host::stream(program, scalar, &args, Duration::from_secs(timeout))?));
         }
         Action::Elf(options) => elf::run(&options)?,

@@ -34,10 +34,7 @@ fn quote(word: &OsStr) -> String {
 
 /// Runs a command whose output goes where ours goes; anything but success is an error that names it.
 pub fn run(command: &mut Command) -> Result<()> {
-    let status = command
-        .stdin(Stdio::null())
-        .status()
-        .with_context(|| format!("cannot run `{}`", show(command)))?;
+    let status = command.stdin(Stdio::null()).status().with_context(|| format!("cannot run `{}`", show(command)))?;
     if !status.success() {
         bail!("`{}` failed ({status})", show(command));
     }
@@ -67,17 +64,12 @@ pub fn capture_for(command: &mut Command, limit: Duration) -> Result<(Option<Exi
         pipe.read_to_end(&mut bytes).map(|_| bytes)
     });
     let status = wait(&mut child, limit)?;
-    let bytes = reader
-        .join()
-        .map_err(|_| anyhow::anyhow!("the reader of a program's output panicked"))??;
+    let bytes = reader.join().map_err(|_| anyhow::anyhow!("the reader of a program's output panicked"))??;
     Ok((status, bytes))
 }
 
 fn spawn(command: &mut Command) -> Result<Child> {
-    command
-        .stdin(Stdio::null())
-        .spawn()
-        .with_context(|| format!("cannot run `{}`", show(command)))
+    command.stdin(Stdio::null()).spawn().with_context(|| format!("cannot run `{}`", show(command)))
 }
 
 fn wait(child: &mut Child, limit: Duration) -> Result<Option<ExitStatus>> {

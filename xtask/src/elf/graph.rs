@@ -32,12 +32,16 @@ impl Graph {
         &self.nodes[index]
     }
 
-    /// Every function that is reached from `roots`, with the one it was first reached from, nearest first.
-    pub fn reach(&self, roots: &[usize]) -> Vec<(usize, Option<usize>)> {
+    /// Every function that is reached from `roots`, with the one it was first reached from, nearest first. Does not go
+    /// on from functions at which it is to `stop`.
+    pub fn reach(&self, roots: &[usize], stop: impl Fn(usize) -> bool) -> Vec<(usize, Option<usize>)> {
         let mut seen: BTreeSet<usize> = roots.iter().copied().collect();
         let mut reached: Vec<(usize, Option<usize>)> = seen.iter().map(|&root| (root, None)).collect();
         let mut queue: VecDeque<usize> = seen.iter().copied().collect();
         while let Some(index) = queue.pop_front() {
+            if stop(index) {
+                continue;
+            }
             for &callee in &self.nodes[index].callees {
                 if seen.insert(callee) {
                     reached.push((callee, Some(index)));

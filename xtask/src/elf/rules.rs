@@ -135,7 +135,9 @@ mod tests {
 
     #[test]
     fn allocators() {
-        for name in ["__rust_alloc", "__rustc::__rust_alloc", "__rg_alloc", "malloc", "alloc::alloc::handle_alloc_error"] {
+        for name in
+            ["__rust_alloc", "__rustc::__rust_alloc", "__rg_alloc", "malloc", "alloc::alloc::handle_alloc_error"]
+        {
             assert!(is_allocator(name), "{name}");
         }
         assert!(!is_allocator("freeze"));
@@ -175,7 +177,9 @@ mod tests {
         ] {
             assert!(is_float_routine(name), "{name}");
         }
-        for name in ["__aeabi_idiv", "__aeabi_ldivmod", "__aeabi_lmul", "__aeabi_memcpy4", "__clzsi2", "__ashldi3", "main"] {
+        for name in
+            ["__aeabi_idiv", "__aeabi_ldivmod", "__aeabi_lmul", "__aeabi_memcpy4", "__clzsi2", "__ashldi3", "main"]
+        {
             assert!(!is_float_routine(name), "{name}");
         }
     }

@@ -20,11 +20,7 @@ pub enum Op {
 /// The instruction at `address`, whose two halfwords are given, and its size in bytes.
 pub fn decode(address: u32, first: u16, second: u16) -> (Op, u32) {
     // 32-bit instructions begin with 0b11101, 0b11110 or 0b11111.
-    if first >> 11 >= 0b11101 {
-        (decode_32(address, first, second), 4)
-    } else {
-        (decode_16(address, first), 2)
-    }
+    if first >> 11 >= 0b11101 { (decode_32(address, first, second), 4) } else { (decode_16(address, first), 2) }
 }
 
 fn decode_16(address: u32, code: u16) -> Op {

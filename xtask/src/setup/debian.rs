@@ -16,14 +16,10 @@ const CARGO: &str = "/usr/bin/cargo";
 const RUSTC: &str = "/usr/bin/rustc";
 
 /// Compiler, cargo and source, as Debian names them: `-web` is the current compiler in a stable release.
-const FAMILIES: [[&str; 3]; 2] =
-    [["rustc-web", "cargo-web", "rust-web-src"], ["rustc", "cargo", "rust-src"]];
+const FAMILIES: [[&str; 3]; 2] = [["rustc-web", "cargo-web", "rust-web-src"], ["rustc", "cargo", "rust-src"]];
 
-const WHYS: [&str; 3] = [
-    "compiles firmware",
-    "drives the compiler",
-    "the source of `core`, to be built for the boards",
-];
+const WHYS: [&str; 3] =
+    ["compiles firmware", "drives the compiler", "the source of `core`, to be built for the boards"];
 
 /// The finished toolchain, if the one that was built still fits the compiler.
 pub fn ready() -> Option<Toolchain> {
@@ -129,12 +125,7 @@ fn copy_libraries(from: &Path, target: &str) -> Result<()> {
 }
 
 fn toolchain() -> Option<Toolchain> {
-    Some(Toolchain::Debian {
-        cargo: CARGO.into(),
-        rustc: RUSTC.into(),
-        linker: linker()?,
-        sysroot: sysroot(),
-    })
+    Some(Toolchain::Debian { cargo: CARGO.into(), rustc: RUSTC.into(), linker: linker()?, sysroot: sysroot() })
 }
 
 fn sysroot() -> PathBuf {

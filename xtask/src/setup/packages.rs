@@ -22,8 +22,7 @@ pub enum Manager {
     Brew,
 }
 
-const ALL: [Manager; 6] =
-    [Manager::Apt, Manager::Dnf, Manager::Pacman, Manager::Zypper, Manager::Apk, Manager::Brew];
+const ALL: [Manager; 6] = [Manager::Apt, Manager::Dnf, Manager::Pacman, Manager::Zypper, Manager::Apk, Manager::Brew];
 
 impl Manager {
     /// The one of this machine.
@@ -61,20 +60,20 @@ impl Manager {
         let names: Vec<&str> = packages.iter().map(|package| package.name.as_str()).collect();
         let mut arguments = self.install_arguments().to_vec();
         arguments.extend(&names);
-        if self != Manager::Apt {
-            return self.run(&arguments);
+        let mut install = self.command(&arguments)?;
+        let first_try = run(&mut install);
+        if first_try.is_ok() || self != Manager::Apt {
+            return first_try;
         }
         // Lists that are old or empty are the usual reason for apt-get to fail.
-        self.run(&arguments).or_else(|_| {
-            self.refresh()?;
-            self.run(&arguments)
-        })
+        self.refresh()?;
+        run(&mut install)
     }
 
     /// Refreshes the lists of packages.
     pub fn refresh(self) -> Result<()> {
         match self {
-            Manager::Apt => self.run(&["update"]),
+            Manager::Apt => run(&mut self.command(&["update"])?),
             // The others do it as they install.
             _ => Ok(()),
         }
@@ -92,7 +91,7 @@ impl Manager {
         }
     }
 
-    fn run(self, arguments: &[&str]) -> Result<()> {
+    fn command(self, arguments: &[&str]) -> Result<Command> {
         // Homebrew refuses to run as root; the others need to.
         let mut command = if self == Manager::Brew || is_root() {
             Command::new(self.program())
@@ -108,9 +107,13 @@ impl Manager {
             );
         };
         command.args(arguments).env("DEBIAN_FRONTEND", "noninteractive");
-        println!("setup: {}", process::show(&command));
-        process::run(&mut command)
+        Ok(command)
     }
+}
+
+fn run(command: &mut Command) -> Result<()> {
+    println!("setup: {}", process::show(command));
+    process::run(command)
 }
 
 fn is_root() -> bool {

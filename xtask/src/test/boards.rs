@@ -133,11 +133,8 @@ fn run_on_host(feature: &str, jobs: &[&Job]) -> Result<BTreeMap<(String, String)
     let examples = names(jobs.iter().copied());
     let programs = host::build(feature, Optimised::Release, &examples)?;
     let in_debug: Vec<String> = examples.iter().filter(|example| cases::also_in_debug(example)).cloned().collect();
-    let debug_programs = if in_debug.is_empty() {
-        Vec::new()
-    } else {
-        host::build(feature, Optimised::Debug, &in_debug)?
-    };
+    let debug_programs =
+        if in_debug.is_empty() { Vec::new() } else { host::build(feature, Optimised::Debug, &in_debug)? };
 
     let mut texts = BTreeMap::new();
     for job in jobs {
