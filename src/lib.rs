@@ -1,18 +1,83 @@
-//! carom
+//! Rigid-body collision response for microcontrollers: the impulse of one contact between two bodies, with friction, in
+//! `f32` or in fixed point, without an allocator, with the same bits on a Cortex-M0 as on a laptop.
+//!
+//! ```
+//! use carom::impulse::{Outcome, resolve_collision_with_friction};
+//! use carom::{Body, Contact, Material, Scalar, Solid, UnitVec3, Vec3};
+//! # #[cfg(feature = "f32")] type Real = f32;
+//! # #[cfg(all(not(feature = "f32"), feature = "fixed"))] type Real = fixed::types::I16F16;
+//! # #[cfg(all(not(feature = "f32"), not(feature = "fixed"), feature = "f64"))] type Real = f64;
+//! # #[cfg(all(not(any(feature = "f32", feature = "fixed", feature = "f64")), feature = "micromath"))]
+//! # type Real = micromath::F32;
+//! # #[cfg(any(feature = "f32", feature = "fixed", feature = "f64", feature = "micromath"))]
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! // `type Real = f32;`, or `fixed::types::I16F16` on a part without an FPU: nothing else changes.
+//! let milli = |n| Real::from_ratio(n, 1000);
+//! let zero = Real::ZERO;
+//!
+//! let solid = Solid::sphere(milli(28)?)?;                        // 28 mm
+//! let mut cue = Body::dynamic(solid.with_mass(milli(170)?)?);    // 170 g
+//! let mut ball = cue;
+//! cue.linear_velocity = Vec3::new(milli(2000)?, zero, zero);     // 2 m/s along x
+//!
+//! let contact = Contact {
+//!     normal: UnitVec3::X,                                       // from the cue ball to the other
+//!     r_a: Vec3::new(milli(28)?, zero, zero),                    // centre of the cue ball to the point
+//!     r_b: Vec3::new(milli(-28)?, zero, zero),
+//! };
+//! let material = Material::new(milli(950)?, milli(60)?)?;        // restitution, friction
+//!
+//! let hit = resolve_collision_with_friction(&mut cue, &mut ball, &contact, &material);
+//! assert_eq!(hit.outcome, Outcome::Stuck);                       // a straight shot does not slide
+//! assert!(ball.linear_velocity.x > milli(1949)? && ball.linear_velocity.x < milli(1951)?);
+//! # Ok(())
+//! # }
+//! # #[cfg(not(any(feature = "f32", feature = "fixed", feature = "f64", feature = "micromath")))]
+//! # fn main() {}
+//! ```
+//!
+//! # A tour
+//!
+//! - [`Scalar`]: the number types. A feature each (`f32`, `fixed`, `f64`, `micromath`) adds one; none excludes another.
+//! - [`Vec3`], [`UnitVec3`], [`Quat`], [`Mat3`], [`SymMat3`]: just the algebra that is used.
+//! - [`Solid`] and [`MassProperties`]: mass and inertia of the usual solids, or as given.
+//! - [`Body`], [`Contact`], [`Material`]: what the kernel works on.
+//! - [`impulse`]: **the kernel**. From [`impulse::effective_mass`] over [`impulse::collision_impulse`] and
+//!   [`impulse::apply_impulse`] to [`impulse::resolve_collision_with_friction`].
+//! - [`StateHash`]: one number to compare two machines by.
+//!
+//! # Conventions
+//!
+//! Any consistent units: metres, kilograms and seconds, or centimetres, grams and seconds. Vectors are in the world's
+//! frame unless said otherwise. The normal points from body A to body B, and impulses are given as they act on B. A
+//! quaternion turns the body's frame into the world's. An inverse mass of zero means immovable.
+//!
+//! # Errors
+//!
+//! Constructors refuse bad input with an error that names the parameter. The kernel never fails: fixed point stays at the
+//! end of its range, a float that is not finite leaves both bodies as they were, and the report says so. Nothing panics,
+//! allocates, wraps, or loops without a bound.
 #![no_std]
+#![deny(missing_docs)]
 #![deny(unsafe_code)]
+
 mod body;
 mod contact;
 mod error;
+mod hash;
 pub mod impulse;
 mod mass;
 mod math;
 mod scalar;
-pub use body::*;
-pub use contact::*;
-pub use error::*;
-pub use mass::*;
-pub use math::*;
-pub use scalar::*;
-mod hash;
-pub use hash::*;
+
+pub use body::Body;
+pub use contact::{Contact, Material, RestitutionLaw};
+pub use error::{
+    BodyError, ContactError, DirectionError, MassError, MaterialError, OrientationError, RangeError, SolidError,
+};
+pub use hash::StateHash;
+pub use mass::{MassProperties, Solid};
+pub use math::{Mat3, Quat, SymMat3, UnitVec3, Vec3};
+#[cfg(feature = "fixed")]
+pub use scalar::Scaled32;
+pub use scalar::{Scalar, Scaled};

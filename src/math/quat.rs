@@ -32,7 +32,7 @@ impl<S: Scalar> Quat<S> {
         if is_near_one(q.square()) { Ok(q) } else { Err(OrientationError::NotUnit) }
     }
 
-    /// The rotation of a quaternion of any length whose square the format holds; within 4 units of the last place of
+    /// The rotation of a quaternion of any length whose square the format holds; within 3 units of the last place of
     /// [`Scalar::Unit`].
     ///
     /// # Errors
@@ -81,7 +81,7 @@ impl<S: Scalar> Quat<S> {
         Self { w: self.w, x: self.x.negated(), y: self.y.negated(), z: self.z.negated() }
     }
 
-    /// The rotation matrix, within 3 units of the last place of [`Scalar::Unit`] a component.
+    /// The rotation matrix, within 2 units of the last place of [`Scalar::Unit`] a component.
     #[must_use]
     pub fn to_mat3(self) -> Mat3<S::Unit> {
         let Self { w, x, y, z } = self;
@@ -115,7 +115,7 @@ impl<S: Scalar> Quat<S> {
 impl<S: Scalar> Mul for Quat<S> {
     type Output = Self;
 
-    /// The rotation `other` followed by the rotation `self`.
+    /// The rotation `other` followed by the rotation `self`, within 2 units of the last place.
     fn mul(self, other: Self) -> Self {
         let [a, b, c, d] = self.to_array();
         let [e, f, g, h] = other.to_array();

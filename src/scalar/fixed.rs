@@ -193,8 +193,8 @@ where
         if v == [0; 3] {
             return None;
         }
-        // Components of 29 bits; the largest has all of them, so that the length has 29 to 30.
-        let places = headroom(v);
+        // The largest component has 30 bits, the length 30 to 31, and the squares times four still fit.
+        let places = headroom(v).wrapping_add(1);
         let v = [move_left(v[0], places), move_left(v[1], places), move_left(v[2], places)];
         // The root of the squares times four: the length to half a unit of its 31st bit.
         let length = round_sqrt((dot(v, v) as u64).wrapping_shl(2));

@@ -98,15 +98,15 @@ macro_rules! float_scalar {
                     if m < x { x } else { m }
                 });
                 let tiny: Self = $small;
-                let scale = if largest < tiny {
+                let scale = if largest < tiny * tiny {
+                    $one / (tiny * tiny)
+                } else if largest < tiny {
                     $one / tiny
                 } else if largest > $one / tiny {
-                    tiny
+                    tiny * tiny
                 } else {
                     $one
                 };
-                // A subnormal vector needs the scale twice.
-                let scale = if largest < tiny * tiny { scale * scale } else { scale };
                 let v = [v[0] * scale, v[1] * scale, v[2] * scale];
                 let length = <Self as $crate::scalar::Scalar>::length3(v);
                 if length > $zero && $finite(length) {
