@@ -9,7 +9,7 @@ use crate::scalar::{Scalar, Scaled};
 ///
 /// Positions and velocities are plain fields. Mass and inertia are set together, through [`MassProperties`], and the
 /// orientation through [`set_orientation`](Self::set_orientation), which keeps the world-frame tensor R I^-1 R^T up to
-/// date. 100 bytes in f32; in fixed point 116.
+/// date. 104 bytes in f32; in fixed point 112.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Body<S: Scalar> {
