@@ -9,12 +9,13 @@ use super::float::float_scalar;
 /// found), at the price of two divisions.
 #[inline]
 fn sqrt(x: F32) -> F32 {
-    let guess = x.sqrt();
+    // Without its sign bit the number is one whose bits micromath can add to without an overflow check that could fail.
+    let guess = F32::from_bits(x.to_bits() & 0x7fff_ffff).sqrt().0;
     if !(x.0 > 0.0 && x.0 < f32::INFINITY) {
         // Zero, infinity and NaN are their own roots; negative numbers have none.
         return if x.0 < 0.0 { F32::NAN } else { x };
     }
-    let guess = (guess.0 + x.0 / guess.0) * 0.5;
+    let guess = (guess + x.0 / guess) * 0.5;
     F32((guess + x.0 / guess) * 0.5)
 }
 
