@@ -97,7 +97,11 @@ pub fn collision_impulse<S: Scalar>(a: &Body<S>, b: &Body<S>, contact: &Contact<
 }
 
 /// Applies an impulse along the normal to both bodies, by (2) and (3). True where a velocity met the end of the format.
+/// An impulse that is not finite changes nothing.
 pub fn apply_impulse<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, contact: &Contact<S>, normal_impulse: S) -> bool {
+    if !normal_impulse.is_finite() {
+        return false;
+    }
     let column = Pair::new(a, b, contact).column(contact.normal);
     apply_normal(a, b, &column, normal_impulse.to_scaled())
 }

@@ -79,6 +79,7 @@ macro_rules! entry {
 }
 
 macro_rules! board_println {
+    () => { $crate::board::println_fmt(format_args!("")) };
     ($($arg:tt)*) => { $crate::board::println_fmt(format_args!($($arg)*)) };
 }
 

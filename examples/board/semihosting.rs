@@ -169,13 +169,26 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     abort("panic\n")
 }
 
-// SAFETY: the handler only talks to the debug channel and never returns.
-#[cortex_m_rt::exception]
-unsafe fn HardFault(_: &cortex_m_rt::ExceptionFrame) -> ! {
-    abort("hard fault\n")
+// What faults is most often a stack that has grown out of the RAM: the handler begins with a fresh one.
+core::arch::global_asm!(
+    ".section .HardFault.board, \"ax\"",
+    ".global HardFault",
+    ".type HardFault, %function",
+    ".thumb_func",
+    "HardFault:",
+    "ldr r0, =_stack_start",
+    "mov sp, r0",
+    "bl {hard_fault}",
+    ".pool",
+    ".size HardFault, . - HardFault",
+    hard_fault = sym hard_fault,
+);
+
+extern "C" fn hard_fault() -> ! {
+    abort("hard fault (did the stack outgrow the RAM?)\n")
 }
 
-// SAFETY: as above.
+// SAFETY: the handler only talks to the debug channel and never returns.
 #[cortex_m_rt::exception]
 unsafe fn DefaultHandler(_: i16) -> ! {
     abort("unexpected exception\n")

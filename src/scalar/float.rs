@@ -27,7 +27,7 @@ macro_rules! float_scalar {
             #[inline]
             fn sub_step(numerator: i32, denominator: i32) -> Result<Self, $crate::error::RangeError> {
                 let h = <Self as $crate::scalar::Scalar>::from_ratio(numerator, denominator)?;
-                if h >= $zero && h < $one { Ok(h) } else { Err($crate::error::RangeError) }
+                if ($zero..$one).contains(&h) { Ok(h) } else { Err($crate::error::RangeError) }
             }
 
             #[inline(always)]

@@ -4,11 +4,13 @@
 //! exact numbers, and compares what the kernel did with what the formulas say.
 #![allow(dead_code, unused_imports, unreachable_pub)]
 
+pub mod balance;
 pub mod cases;
 pub mod format;
 pub mod laws;
 pub mod number;
 pub mod oracle;
+pub mod strategy;
 
 pub use cases::{Case, Rng, random_case};
 pub use format::Format;

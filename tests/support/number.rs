@@ -81,6 +81,14 @@ impl Exact {
         value
     }
 
+    /// `self / other` as a float, rounded once (but for the last of 64 bits and more).
+    pub fn quotient(&self, other: &Self) -> f64 {
+        let up = 70 + other.mantissa.bits() as i64 - self.mantissa.bits() as i64;
+        let numerator = if up >= 0 { &self.mantissa << up } else { &self.mantissa >> -up };
+        let mantissa = numerator / &other.mantissa;
+        Self { mantissa, exponent: self.exponent - other.exponent - up }.to_f64()
+    }
+
     /// The value in the arithmetic of another author, to check this one.
     pub fn to_rational(&self) -> BigRational {
         let power = BigRational::from_integer(BigInt::from(1) << self.exponent.unsigned_abs());
@@ -216,7 +224,11 @@ impl Vector {
     pub fn length(&self) -> f64 {
         let [x, y, z] = self.to_f64();
         let largest = x.abs().max(y.abs()).max(z.abs());
-        if largest == 0.0 { 0.0 } else { largest * ((x / largest).powi(2) + (y / largest).powi(2) + (z / largest).powi(2)).sqrt() }
+        if largest == 0.0 {
+            0.0
+        } else {
+            largest * ((x / largest).powi(2) + (y / largest).powi(2) + (z / largest).powi(2)).sqrt()
+        }
     }
 }
 

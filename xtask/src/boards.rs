@@ -12,6 +12,9 @@ pub const TARGETS: [&str; 5] = [
     "thumbv8m.main-none-eabi",
 ];
 
+/// One target without an FPU and one with: what compiles for both does so for all.
+pub const SAMPLE_TARGETS: [&str; 2] = ["thumbv6m-none-eabi", "thumbv7em-none-eabihf"];
+
 /// The feature sets that firmware is built with: one number type family each.
 pub const FEATURES: [&str; 4] = ["f32", "f64", "fixed", "micromath"];
 

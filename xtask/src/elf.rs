@@ -109,8 +109,8 @@ fn check(bytes: &[u8], no_floats: bool, no_fpu: bool) -> Result<Vec<String>> {
     if roots.is_empty() {
         found.push("no function of carom and no `kernel_...` function to begin with: nothing was checked".to_owned());
     }
-    // One panic is enough: what it does in its turn is its own affair.
-    let reached = graph.reach(&roots, |index| named(index, rules::is_panic));
+    // A panic or a division is enough: what it calls in its turn is its own affair.
+    let reached = graph.reach(&roots, |index| named(index, rules::is_panic) || named(index, rules::is_wide_division));
     for &(index, _) in &reached {
         let node = graph.node(index);
         let mut report = |what: &str| found.push(format!("{what}: {}", path_to(index, &reached, &image)));

@@ -6,7 +6,7 @@ use crate::toolchain::own_cargo;
 use crate::workspace;
 use anyhow::{Context, Result, bail};
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitStatus};
+use std::process::{Command, ExitStatus, Stdio};
 use std::time::Duration;
 
 /// How host programs are built.
@@ -50,18 +50,15 @@ pub fn build(feature: &str, optimised: Optimised, examples: &[String]) -> Result
 
 /// Runs a program as a board would and returns what it printed.
 pub fn capture(program: &Path, scalar: Scalar, arguments: &[String], limit: Duration) -> Result<(ExitStatus, Vec<u8>)> {
-    match process::capture_for(&mut command(program, scalar, arguments), limit)? {
-        (Some(status), text) => Ok((status, text)),
-        (None, _) => too_slow(program, limit),
-    }
+    let end = process::run_for(command(program, scalar, arguments).stdout(Stdio::piped()), limit)?;
+    let status = end.status.map_or_else(|| too_slow(program, limit), Ok)?;
+    Ok((status, end.stdout))
 }
 
 /// Runs a program as a board would, with our standard output.
 pub fn stream(program: &Path, scalar: Scalar, arguments: &[String], limit: Duration) -> Result<ExitStatus> {
-    match process::run_for(&mut command(program, scalar, arguments), limit)? {
-        Some(status) => Ok(status),
-        None => too_slow(program, limit),
-    }
+    let end = process::run_for(&mut command(program, scalar, arguments), limit)?;
+    end.status.map_or_else(|| too_slow(program, limit), Ok)
 }
 
 fn command(program: &Path, scalar: Scalar, arguments: &[String]) -> Command {

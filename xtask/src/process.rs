@@ -5,6 +5,7 @@ use std::ffi::OsStr;
 use std::io::Read;
 use std::path::PathBuf;
 use std::process::{Child, Command, ExitStatus, Stdio};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 /// The full path of a program on `PATH`.
@@ -48,28 +49,34 @@ pub fn stdout_of(command: &mut Command) -> Option<String> {
     output.status.success().then_some(text)
 }
 
-/// Runs a command for at most `limit`; `None` means that it had to be killed.
-pub fn run_for(command: &mut Command, limit: Duration) -> Result<Option<ExitStatus>> {
-    let mut child = spawn(command)?;
-    wait(&mut child, limit)
+/// How a command ended.
+pub struct End {
+    /// `None` means that it took too long and was killed.
+    pub status: Option<ExitStatus>,
+    /// What it wrote to standard output, if that was piped.
+    pub stdout: Vec<u8>,
+    /// What it wrote to standard error, if that was piped.
+    pub stderr: Vec<u8>,
 }
 
-/// As [`run_for`], and returns what the command printed to standard output.
-pub fn capture_for(command: &mut Command, limit: Duration) -> Result<(Option<ExitStatus>, Vec<u8>)> {
-    let mut child = spawn(command.stdout(Stdio::piped()))?;
-    let mut pipe = child.stdout.take().context("no pipe to read from")?;
+/// Runs a command for at most `limit`, and collects what the caller asked to pipe.
+pub fn run_for(command: &mut Command, limit: Duration) -> Result<End> {
+    let mut child = command.stdin(Stdio::null()).spawn().with_context(|| format!("cannot run `{}`", show(command)))?;
     // Read beside waiting, or a full pipe would block the program for ever.
-    let reader = std::thread::spawn(move || {
-        let mut bytes = Vec::new();
-        pipe.read_to_end(&mut bytes).map(|_| bytes)
-    });
+    let stdout = child.stdout.take().map(collect);
+    let stderr = child.stderr.take().map(collect);
     let status = wait(&mut child, limit)?;
-    let bytes = reader.join().map_err(|_| anyhow::anyhow!("the reader of a program's output panicked"))??;
-    Ok((status, bytes))
+    let join = |reader: Option<JoinHandle<Vec<u8>>>| reader.and_then(|reader| reader.join().ok()).unwrap_or_default();
+    Ok(End { status, stdout: join(stdout), stderr: join(stderr) })
 }
 
-fn spawn(command: &mut Command) -> Result<Child> {
-    command.stdin(Stdio::null()).spawn().with_context(|| format!("cannot run `{}`", show(command)))
+fn collect(mut pipe: impl Read + Send + 'static) -> JoinHandle<Vec<u8>> {
+    std::thread::spawn(move || {
+        let mut bytes = Vec::new();
+        // What came before an error is still worth having.
+        let _ = pipe.read_to_end(&mut bytes);
+        bytes
+    })
 }
 
 fn wait(child: &mut Child, limit: Duration) -> Result<Option<ExitStatus>> {

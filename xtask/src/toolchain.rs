@@ -34,6 +34,12 @@ impl Toolchain {
     pub fn cargo(&self, subcommand: &str, target: &str) -> Command {
         let mut command = match self {
             Toolchain::Own => own_cargo(),
+            // By its own name: cargo would look for it beside rustup's programs first.
+            Toolchain::Debian { cargo, .. } if subcommand == "clippy" => {
+                let mut clippy = debian_program(&cargo.with_file_name("cargo-clippy"));
+                clippy.env("CARGO", cargo);
+                clippy
+            }
             Toolchain::Debian { cargo, .. } => debian_program(cargo),
         };
         // Flags from the environment would replace those of `.cargo/config.toml`, the linker script among them.

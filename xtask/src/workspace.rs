@@ -16,13 +16,14 @@ pub fn target_dir() -> PathBuf {
     }
 }
 
-/// The names of all examples, sorted.
+/// The names of all examples, sorted: files, and folders with a `main.rs` in them.
 pub fn examples() -> Result<Vec<String>> {
     let dir = root().join("examples");
     let mut names = Vec::new();
     for entry in std::fs::read_dir(&dir).with_context(|| format!("reading {}", dir.display()))? {
         let path = entry?.path();
-        if path.extension().is_some_and(|extension| extension == "rs")
+        let is_file = path.extension().is_some_and(|extension| extension == "rs");
+        if (is_file || path.join("main.rs").is_file())
             && let Some(name) = path.file_stem().and_then(|name| name.to_str())
         {
             names.push(name.to_owned());

@@ -1,15 +1,12 @@
 //! The host's stage: tests in all feature sets, and every combination of features compiles.
 
-use crate::boards::FEATURES;
+use crate::boards::{FEATURES, SAMPLE_TARGETS};
 use crate::process;
 use crate::toolchain::{Toolchain, own_cargo};
 use crate::workspace;
 use anyhow::Result;
 use std::process::Command;
 use std::time::Instant;
-
-/// Targets on which every combination of features has to compile: one without an FPU, one with.
-const CHECKED_TARGETS: [&str; 2] = ["thumbv6m-none-eabi", "thumbv7em-none-eabihf"];
 
 /// Runs the stage.
 pub fn run(toolchain: &Toolchain) -> Result<()> {
@@ -31,7 +28,7 @@ pub fn run(toolchain: &Toolchain) -> Result<()> {
         let mut cargo = own_cargo();
         cargo.arg("check").arg("--target-dir").arg(workspace::target_dir());
         process::run(check(&mut cargo, &features))?;
-        for target in CHECKED_TARGETS {
+        for target in SAMPLE_TARGETS {
             process::run(check(&mut toolchain.cargo("check", target), &features))?;
         }
     }

@@ -1,0 +1,45 @@
+//! A bar on the terminal, for files that take longer than a second.
+
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::table::Table;
+
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Nothing for the first second.
+pub struct Progress {
+    start: Instant,
+    bar: Option<ProgressBar>,
+    rows: u64,
+}
+
+impl Progress {
+    pub fn new() -> Self {
+        Self { start: Instant::now(), bar: None, rows: 0 }
+    }
+
+    /// Another row of that file was done.
+    pub fn advance(&mut self, table: &Table) {
+        self.rows += 1;
+        if self.rows % 64 != 0 || self.start.elapsed() < PATIENCE {
+            return;
+        }
+        let (read, length) = table.position();
+        let bar = self.bar.get_or_insert_with(|| {
+            let style = ProgressStyle::with_template("{wide_bar} {percent} % of the file, {eta} left");
+            // On a stream that is no terminal it draws nothing.
+            ProgressBar::new(length).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+        });
+        bar.set_position(read);
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
