@@ -12,10 +12,12 @@
 //! The denominator is computed as 1/m_a + 1/m_b + c_a . I_a^-1 c_a + c_b . I_b^-1 c_b with c = r x n, which equals it
 //! by the cyclic symmetry of the triple product. `docs/derivation.md` walks the derivation.
 //!
-//! **Accuracy.** In fixed point nothing between reading the bodies and storing the velocities is rounded to the format:
-//! a stored velocity component is the exact result of the given bits to within 0.51 units of its last place, plus its
-//! share (1/m, or I^-1 r) of an impulse error of 2^-25 max(|J|, s/K), where s = |v_a| + |v_b| + |w_a||r_a| + |w_b||r_b|
-//! and K is the denominator. In f32 the same holds with 5e-6 for 2^-25 and the rounding of f32.
+//! **Accuracy.** In fixed point nothing between reading the bodies and storing the velocities is rounded to the format.
+//! Against the exact result for the given bits, the impulse is off by at most 5 u (L |J| + (1 + e) s)/k with u = 2^-30,
+//! s = |v_a| + |v_b| + |w_a||r_a| + |w_b||r_b|, L = 1/m_a + 1/m_b + tr I_a^-1 |r_a|^2 + tr I_b^-1 |r_b|^2, and for k the
+//! denominator above, with friction the least eigenvalue of the 3x3 inverse mass (sliding: or K_nn - mu K_nd, where that is
+//! less). A stored velocity component is off by half a unit of its last place and its share of that (1/m, or 16/5 I^-1 r).
+//! In f32 the same form holds with 1.5 u, u = 2^-24, and the rounding of f32. `validate` and the tests hold to this.
 //!
 //! **Range.** Only the stored velocities and the reported impulses can meet the end of the format; they then stay there
 //! and [`Impact::saturated`] says so. No function here panics, allocates, loops without a bound or writes to a body

@@ -13,80 +13,13 @@ use carom::impulse::{
     Impact, Outcome, apply_impulse, collision_impulse, effective_mass, relative_velocity, resolve_collision,
     resolve_collision_with_friction,
 };
-use carom::{Body, Contact, MassProperties, Material, Quat, RestitutionLaw, Scaled, Solid, SymMat3, UnitVec3, Vec3};
+use carom::{Body, Contact, MassProperties, Material, RestitutionLaw, Scaled, Solid, SymMat3, UnitVec3, Vec3};
 use exact::laws::{Result, leaves_range, misses};
 use exact::strategy::forall;
+use exact::words::{WORDS, Words};
 use exact::{Case, Exact, Format, Problem, assert_share, cases_to_run};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
-
-/// Arbitrary bits, handed out word by word.
-struct Words<'a>(std::slice::Iter<'a, u64>);
-
-/// As many as one case takes.
-const WORDS: usize = 64;
-
-impl Words<'_> {
-    fn next(&mut self) -> u64 {
-        *self.0.next().expect("enough words")
-    }
-
-    /// Any number of a format. Fixed point: any bits, moved right by up to 31 places. Floats: any bits, or one of the
-    /// numbers that bite, or a number of ordinary size.
-    fn number<S: Format>(&mut self) -> S {
-        let word = self.next();
-        if S::saturates() {
-            return S::from_raw(((word as u32 as i32) >> (word >> 32 & 31)) as u32 as u64);
-        }
-        match word >> 60 {
-            0..=3 => S::from_raw(word),
-            4 => S::nearest(
-                [0.0, -0.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN, 1e-310, 1e-40, 1.0][word as usize % 8],
-            ),
-            5 => S::nearest([S::largest(), -S::largest(), S::largest() / 2.0, 1e19][word as usize % 4]),
-            _ => S::nearest((word as u32 as i32 as f64) * 2f64.powi((word >> 32 & 31) as i32 - 40)),
-        }
-    }
-
-    fn vector<S: Format>(&mut self) -> Vec3<S> {
-        Vec3::new(self.number(), self.number(), self.number())
-    }
-
-    fn unit<S: Format>(&mut self) -> S::Unit {
-        S::unit_from_raw(self.number::<S>().raw())
-    }
-
-    /// Any intermediate number; `wild` exponents are those that no format leads to.
-    fn scaled<S: Format>(&mut self, wild: bool) -> S::Scaled {
-        let word = self.next();
-        let exponent = if wild { (word >> 32) as i32 } else { (word >> 32) as i32 % 64 };
-        let mantissa = word as u32 as i32;
-        S::Scaled::from_parts(if word & 3 << 62 == 0 { mantissa } else { mantissa.saturating_abs() }, exponent)
-    }
-
-    fn body<S: Format>(&mut self, wild: bool) -> Body<S> {
-        let inv_mass = self.scaled::<S>(wild);
-        let moments = [self.scaled::<S>(wild), self.scaled::<S>(wild), self.scaled::<S>(wild)];
-        let valid = inv_mass > S::Scaled::ZERO
-            && inv_mass.is_finite()
-            && moments.iter().all(|m| *m >= S::Scaled::ZERO && m.is_finite());
-        let mut body = match MassProperties::<S>::from_inverses(inv_mass, moments) {
-            Ok(mass) => {
-                assert!(valid, "accepted {inv_mass:?} {moments:?}");
-                Body::dynamic(mass)
-            }
-            Err(_) => Body::immovable(),
-        };
-        if let Ok(orientation) = Quat::normalize(self.unit::<S>(), self.unit::<S>(), self.unit::<S>(), self.unit::<S>())
-        {
-            body.set_orientation(orientation);
-        }
-        body.position = self.vector();
-        body.linear_velocity = self.vector();
-        body.angular_velocity = self.vector();
-        body
-    }
-}
 
 /// The whole state of a body that a caller can read, bit for bit.
 fn bits<S: Format>(body: &Body<S>) -> [u64; 9] {
@@ -359,7 +292,7 @@ formats! {
 #[cfg(feature = "fixed")]
 #[test]
 fn struck_needles_push() {
-    use carom::Scaled32;
+    use carom::{Quat, Scaled32};
     use fixed::types::{I2F30, I8F24};
 
     let unit = |bits| I2F30::from_bits(bits);

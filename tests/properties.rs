@@ -13,7 +13,7 @@ use exact::balance::{self, angular_momentum, momentum};
 use exact::cases::turn_towards;
 use exact::laws::{REPORTED, Result, friction_misses};
 use exact::oracle::read_vector;
-use exact::strategy::{any_size, everyday, forall, sketch};
+use exact::strategy::{any_size, everyday, forall, rotations, sketch};
 use exact::{Case, Exact, Format, Problem};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
@@ -266,30 +266,6 @@ fn place_and_axes_do_not_matter<S: Format>() {
         prop_assert!(grazing || difference <= input * gain, "{difference} of {}", input * gain);
         Ok(())
     });
-}
-
-type Turn<const N: usize> = Box<dyn Fn([f64; N]) -> [f64; N]>;
-
-/// A rotation of vectors, and of orientations, in f64.
-fn rotations(q: [f64; 4]) -> (Turn<3>, Turn<4>) {
-    let length = q.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let [w, x, y, z] = q.map(|c| c / length);
-    let cross =
-        |a: [f64; 3], b: [f64; 3]| [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-    let turn = move |v: [f64; 3]| {
-        let t = cross([x, y, z], v).map(|c| 2.0 * c);
-        let s = cross([x, y, z], t);
-        [v[0] + w * t[0] + s[0], v[1] + w * t[1] + s[1], v[2] + w * t[2] + s[2]]
-    };
-    let compose = move |[a, b, c, d]: [f64; 4]| {
-        [
-            w * a - x * b - y * c - z * d,
-            w * b + x * a + y * d - z * c,
-            w * c - x * d + y * a + z * b,
-            w * d + x * c - y * b + z * a,
-        ]
-    };
-    (Box::new(turn), Box::new(compose))
 }
 
 /// Each check above refuses a result with a fault in it.

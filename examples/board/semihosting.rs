@@ -5,9 +5,9 @@ use super::text::{FileError, Line};
 use core::cell::UnsafeCell;
 use core::fmt::{self, Write};
 use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use cortex_m_semihosting::{debug, nr, syscall};
+use cortex_m_semihosting::{debug, nr, syscall, syscall1};
 
-/// Longest command line and longest path, in bytes, with the zero byte behind it.
+/// Longest command line and longest path, in bytes, with the zero byte behind it. `cargo xtask qemu` knows it too.
 const NAME: usize = 256;
 
 /// What semihosting calls answer on failure: -1.
@@ -33,11 +33,10 @@ pub fn args() -> impl Iterator<Item = &'static str> {
         // to it are handed out only below, after its one and only filling.
         let buffer = unsafe { &mut *COMMAND_LINE.0.get() };
         let mut block = [buffer.as_mut_ptr() as usize, NAME];
-        // SAFETY: SYS_GET_CMDLINE takes the address and the size of a buffer, both of `buffer`, and writes inside it.
-        let status = unsafe { syscall(nr::GET_CMDLINE, &mut block) };
-        if status == FAILED {
-            abort("the command line is too long\n");
-        }
+        // SAFETY: SYS_GET_CMDLINE takes the address of a block with the address and the size of a buffer, writes the text
+        // into the buffer and its length into the block.
+        // When it fails (a debug probe may know of no command line), the buffer stays empty: no arguments.
+        unsafe { syscall1(nr::GET_CMDLINE, block.as_mut_ptr() as usize) };
         READ.store(true, Ordering::Relaxed);
     }
     // SAFETY: the buffer is never written again, see above.
@@ -111,9 +110,9 @@ impl File {
 
     /// Reads some bytes; none means the end of the file.
     pub fn read(&mut self, buffer: &mut [u8]) -> Result<usize, FileError> {
-        let mut block = [self.0, buffer.as_mut_ptr() as usize, buffer.len()];
+        let block = [self.0, buffer.as_mut_ptr() as usize, buffer.len()];
         // SAFETY: SYS_READ takes a handle, an address and a size, and writes inside `buffer`.
-        let not_read = unsafe { syscall(nr::READ, &mut block) };
+        let not_read = unsafe { syscall(nr::READ, &block) };
         buffer.len().checked_sub(not_read).ok_or(FileError::Read)
     }
 
@@ -124,9 +123,9 @@ impl File {
 
 impl Drop for File {
     fn drop(&mut self) {
-        let mut block = [self.0];
+        let block = [self.0];
         // SAFETY: SYS_CLOSE takes a handle, this one is open.
-        unsafe { syscall(nr::CLOSE, &mut block) };
+        unsafe { syscall(nr::CLOSE, &block) };
     }
 }
 
@@ -135,17 +134,17 @@ fn open_handle(path: &str, mode: usize) -> Option<usize> {
     let mut name = [0; NAME];
     let (room, _zero) = name.split_at_mut_checked(NAME - 1)?;
     room.get_mut(..path.len())?.iter_mut().zip(path.bytes()).for_each(|(slot, byte)| *slot = byte);
-    let mut block = [name.as_ptr() as usize, mode, path.len()];
+    let block = [name.as_ptr() as usize, mode, path.len()];
     // SAFETY: SYS_OPEN takes the address of a zero-terminated name, a mode and the name's length.
-    let handle = unsafe { syscall(nr::OPEN, &mut block) };
+    let handle = unsafe { syscall(nr::OPEN, &block) };
     (handle != FAILED).then_some(handle)
 }
 
 fn write_all(handle: usize, mut bytes: &[u8]) -> Result<(), FileError> {
     while !bytes.is_empty() {
-        let mut block = [handle, bytes.as_ptr() as usize, bytes.len()];
+        let block = [handle, bytes.as_ptr() as usize, bytes.len()];
         // SAFETY: SYS_WRITE takes a handle, an address and a size, and only reads `bytes`.
-        let left = unsafe { syscall(nr::WRITE, &mut block) };
+        let left = unsafe { syscall(nr::WRITE, &block) };
         // The answer is the number of bytes that were not written.
         let written = bytes.len().checked_sub(left).ok_or(FileError::Write)?;
         if written == 0 {

@@ -7,10 +7,12 @@
 pub mod balance;
 pub mod cases;
 pub mod format;
+pub mod hand;
 pub mod laws;
 pub mod number;
 pub mod oracle;
 pub mod strategy;
+pub mod words;
 
 pub use cases::{Case, Rng, random_case};
 pub use format::Format;

@@ -115,3 +115,27 @@ pub fn everyday<S: Format>() -> impl Strategy<Value = Case<S>> {
 pub fn any_size<S: Format>() -> impl Strategy<Value = Case<S>> {
     any::<u64>().prop_map(|seed| random_case(&mut Rng::new(seed)))
 }
+
+pub type Turn<const N: usize> = Box<dyn Fn([f64; N]) -> [f64; N]>;
+
+/// A rotation of vectors, and of orientations, in f64.
+pub fn rotations(q: [f64; 4]) -> (Turn<3>, Turn<4>) {
+    let length = q.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let [w, x, y, z] = q.map(|c| c / length);
+    let cross =
+        |a: [f64; 3], b: [f64; 3]| [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    let turn = move |v: [f64; 3]| {
+        let t = cross([x, y, z], v).map(|c| 2.0 * c);
+        let s = cross([x, y, z], t);
+        [v[0] + w * t[0] + s[0], v[1] + w * t[1] + s[1], v[2] + w * t[2] + s[2]]
+    };
+    let compose = move |[a, b, c, d]: [f64; 4]| {
+        [
+            w * a - x * b - y * c - z * d,
+            w * b + x * a + y * d - z * c,
+            w * c - x * d + y * a + z * b,
+            w * d + x * c - y * b + z * a,
+        ]
+    };
+    (Box::new(turn), Box::new(compose))
+}

@@ -11,6 +11,9 @@ use std::time::Duration;
 /// QEMU's lm3s6965evb says so of a timer that nobody uses.
 const HARMLESS: &str = "Timer with period zero";
 
+/// The longest command line that `examples/board` takes, in bytes.
+const COMMAND_LINE: usize = 256;
+
 /// One run of an example on a board.
 #[derive(Clone, Copy, Debug)]
 pub struct Run<'a> {
@@ -59,8 +62,9 @@ impl Run<'_> {
         qemu.args(["-display", "none", "-serial", "none", "-monitor", "none"]);
         let mut semihosting = "enable=on,target=native".to_owned();
         let scalar = self.scalar.to_string();
-        let words = [self.example, "--scalar", &scalar];
-        for word in words.into_iter().chain(self.arguments.iter().map(String::as_str)) {
+        let mut words = vec![self.example, "--scalar", &scalar];
+        words.extend(self.arguments.iter().map(String::as_str));
+        for word in &words {
             // QEMU joins the words with spaces, and the board takes them apart there.
             if word.is_empty() || word.contains(char::is_whitespace) {
                 bail!("the argument `{word}` cannot reach a board: it is empty or has white space in it");
@@ -68,6 +72,10 @@ impl Run<'_> {
             // A comma would end QEMU's own option; doubled it stands for itself.
             semihosting.push_str(",arg=");
             semihosting.push_str(&word.replace(',', ",,"));
+        }
+        let length = words.len() + words.iter().map(|word| word.len()).sum::<usize>();
+        if length > COMMAND_LINE {
+            bail!("the arguments are too long for a board: {length} bytes, it takes {COMMAND_LINE}");
         }
         qemu.args(["-semihosting-config", &semihosting]).arg("-kernel").arg(self.elf);
         Ok(qemu)

@@ -77,7 +77,7 @@ impl Job for Planar<'_> {
             let _ = writeln!(
                 title,
                 "distance to the measured velocity, |dv| / |v|: median {:.3}, p99 {:.3}, max {:.3}. This is how far the law is \
-                 from the experiment, not a bar for the kernel: every rigid law misses by 40 to 60 % here.",
+                 from the experiment, not a bar for the kernel: rigid laws miss by about half here.",
                 s.median, s.p99, s.max
             );
         }

@@ -1,4 +1,4 @@
-//! Measured impacts of an ellipse of steel that was dropped, and the law that is to predict them.
+//! Measured impacts of a dropped ellipse, and the law that is to predict them.
 
 use super::newton;
 use super::{Entry, impact};

@@ -1,0 +1,59 @@
+//! The accuracy table of the README is what `validate` prints.
+#![cfg(any(feature = "f32", feature = "f64", feature = "fixed", feature = "micromath"))]
+
+#[path = "support/host.rs"]
+mod host;
+#[path = "support/scalars.rs"]
+mod scalars;
+#[allow(dead_code)]
+#[path = "../examples/validate/tool/mod.rs"]
+mod tool;
+
+use std::path::Path;
+
+use host::HostScalar;
+use scalars::NUMBERS;
+use tool::impulses::Impulses;
+use tool::kernel::Setup;
+use tool::number::{Job, Number};
+use tool::report::report;
+use tool::tolerances::File;
+
+struct Report(Number);
+
+impl Job for Report {
+    type Output = String;
+    fn run<S: HostScalar>(self) -> String {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/two_body_impulse_dev.csv");
+        let run = Impulses { file: &file, number: self.0, out: None };
+        report(File::Impulses, self.0, &run.check::<S>(Setup::resolve).expect("a good file")).text
+    }
+}
+
+/// The line over all categories under a heading: rows, median, p99, max, row.
+fn all<'a>(text: &'a str, heading: &str) -> Vec<&'a str> {
+    let section = text.split_once(&format!("\n{heading}\n")).unwrap_or_else(|| panic!("no {heading} in\n{text}")).1;
+    let line = section.lines().find(|line| line.trim_start().starts_with("all ")).expect("a line over all");
+    line.split_whitespace().skip(1).collect()
+}
+
+#[test]
+fn the_accuracy_table_is_what_validate_prints() {
+    let readme = include_str!("../README.md");
+    for &number in NUMBERS {
+        let text = scalars::run(number, Report(number));
+        let j = all(&text, "J: |dJ| / max(|J|, s/K)");
+        let largest = |what: &str| all(&text, what)[3].to_owned();
+        let row = format!(
+            "| `{number}` | {} | {} | {} | {} | {} | {} | {} |",
+            j[0],
+            j[1],
+            j[3],
+            largest("v: largest component of dv"),
+            largest("v: largest component of what rounding the inputs costs"),
+            largest("w: largest component of dw"),
+            largest("w: largest component of what rounding the inputs costs"),
+        );
+        assert!(readme.contains(&row), "the README's row should read\n{row}");
+    }
+}
