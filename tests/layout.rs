@@ -1,6 +1,6 @@
 //! What firmware relies on without calling it: sizes, statics, threads.
 
-use carom::{Body, Contact, Material, Quat, Scalar, UnitVec3, Vec3};
+use carom::{Body, Contact, Material, Scalar};
 
 #[allow(dead_code)]
 fn is_shareable<T: Send + Sync + Copy + 'static>() {}
@@ -15,6 +15,7 @@ fn shareable<S: Scalar>() {
 #[cfg(feature = "f32")]
 mod f32 {
     use super::*;
+    use carom::{UnitVec3, Vec3};
 
     static GROUND: Body<f32> = Body::immovable();
     static UP: Contact<f32> = Contact { normal: UnitVec3::Y, r_a: Vec3::ZERO, r_b: Vec3::new(0.0, -1.0, 0.0) };
@@ -30,6 +31,7 @@ mod f32 {
 #[cfg(feature = "fixed")]
 mod fixed_point {
     use super::*;
+    use carom::Quat;
     use fixed::types::I16F16;
 
     static GROUND: Body<I16F16> = Body::immovable();

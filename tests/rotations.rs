@@ -1,5 +1,7 @@
 //! Unit vectors, tangents, quaternions and rotated tensors against f64.
 
+#![cfg(any(feature = "f32", feature = "f64", feature = "fixed", feature = "micromath"))]
+
 #[path = "support/host.rs"]
 mod host;
 #[path = "support/random.rs"]
