@@ -1,7 +1,9 @@
 //! The floating-point types: square roots against correctly rounded values, and the ends of the range.
 #![cfg(any(feature = "f32", feature = "micromath", feature = "f64"))]
 
-use carom::{Scalar, Scaled};
+use carom::Scalar;
+#[cfg(feature = "f32")]
+use carom::Scaled;
 
 /// The rows of one function of the table of correctly rounded values: bits of x, bits of y.
 #[cfg(any(feature = "f32", feature = "micromath"))]
