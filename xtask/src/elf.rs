@@ -3,9 +3,11 @@
 mod graph;
 mod image;
 mod rules;
+#[cfg(test)]
+mod tests;
 mod thumb;
 
-use crate::boards::{FEATURES, TARGETS};
+use crate::boards::{Board, FEATURES, TARGETS};
 use crate::firmware::{Build, Profile};
 use crate::process;
 use crate::setup;
@@ -23,7 +25,7 @@ pub struct Options {
     /// One example instead of all
     #[arg(long)]
     example: Option<String>,
-    /// One target instead of all
+    /// One target instead of those of all boards
     #[arg(long, value_parser = PossibleValuesParser::new(TARGETS))]
     target: Option<String>,
     /// One feature set instead of all
@@ -46,7 +48,10 @@ pub fn run(options: &Options) -> Result<()> {
         None => workspace::board_examples()?,
     };
     let mut repeats = Vec::new();
-    for target in TARGETS.into_iter().filter(|&one| options.target.as_deref().unwrap_or(one) == one) {
+    // Without being asked only what some board runs.
+    let on_a_board = |target: &str| Board::ALL.iter().any(|board| board.target() == target);
+    let wanted = |target: &str| options.target.as_deref().map_or(on_a_board(target), |one| one == target);
+    for target in TARGETS.into_iter().filter(|target| wanted(target)) {
         for feature in FEATURES.into_iter().filter(|&one| options.feature.as_deref().unwrap_or(one) == one) {
             for profile in [Profile::Release, Profile::Checked] {
                 if options.profile.unwrap_or(profile) == profile {

@@ -18,7 +18,10 @@ pub fn find(program: &str) -> Option<PathBuf> {
 
 /// The command as one would type it.
 pub fn show(command: &Command) -> String {
-    let mut words = vec![quote(command.get_program())];
+    let program = command.get_program();
+    // The cargo that runs us goes by its name, not by its place.
+    let own = std::env::var_os("CARGO").is_some_and(|cargo| cargo == program);
+    let mut words = vec![if own { "cargo".to_owned() } else { quote(program) }];
     words.extend(command.get_args().map(quote));
     words.join(" ")
 }

@@ -94,14 +94,15 @@ fn jobs() -> Result<Vec<Job>> {
     let validation = validation()?;
     let mut jobs = Vec::new();
     for example in workspace::board_examples()? {
-        for case in cases::cases(&example) {
-            if case.needs_validation() && validation.is_none() {
-                println!(
-                    "  NOT RUN: {example}: it reads measured data that is not part of the repository, and \
-                     CAROM_VALIDATION, which names the folder of that data, is not set"
-                );
-                continue;
-            }
+        let (possible, impossible): (Vec<&Case>, Vec<&Case>) =
+            cases::cases(&example).iter().partition(|case| validation.is_some() || !case.needs_validation());
+        if !impossible.is_empty() {
+            println!(
+                "  NOT RUN: {example}: it reads measured data that is not part of the repository, and \
+                 CAROM_VALIDATION, which names the folder of that data, is not set"
+            );
+        }
+        for case in possible {
             let folder = validation.as_deref().unwrap_or_default();
             let arguments: Vec<String> = case.arguments.iter().map(|text| text.replace(VALIDATION, folder)).collect();
             let Case { scalars, boards, .. } = case;
