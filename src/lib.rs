@@ -81,3 +81,8 @@ pub use math::{Mat3, Quat, SymMat3, UnitVec3, Vec3};
 #[cfg(feature = "fixed")]
 pub use scalar::Scaled32;
 pub use scalar::{Scalar, Scaled};
+
+// The README's example compiles and runs.
+#[cfg(all(doctest, feature = "f32"))]
+#[doc = include_str!("../README.md")]
+mod readme {}

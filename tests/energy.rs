@@ -230,6 +230,40 @@ fn safe_law_does_no_work<S: Format>() {
     assert!(worst.value <= 8.0 * S::precision(), "{worst}");
 }
 
+/// The safe law leaves v_n' between 0 and -e v_n and the impulse in the cone, with the faintest rebound as with any: there
+/// the line from the impulse without it to the one with it is too short to be told from rounding.
+fn safe_law_rebounds_less<S: Format>() {
+    let [over, tried] = [0u32; 2].map(RefCell::new);
+    forall(20_000, (any_size::<S>(), any::<u8>()), |(mut case, faint)| {
+        if faint > 64 {
+            case.restitution = S::nearest(S::ulp(0.5) * f64::from(faint % 16));
+        }
+        let problem = Problem::read(&case);
+        let impact = rub(&case, RestitutionLaw::EnergySafe).impact;
+        if impact.saturated || impact.outcome == Outcome::Separating {
+            return Ok(());
+        }
+        let (n, normal) = (&problem.normal, impact.normal_impulse.value());
+        let friction = read_vector(impact.friction_impulse);
+        let j = &n.times(&normal) + &friction;
+        let reported = REPORTED * S::ulp(j.length());
+        let scales = problem.scales();
+        let scale = scale(&problem, &scales, j.length() + reported);
+        let off_unit = 2.0 * (n.dot(n) - Exact::one()).to_f64().abs();
+        let slack = 1024.0 * S::precision() * scale + scales.load * reported + off_unit * scale;
+        let (v_n, e) = (problem.approach().to_f64(), problem.restitution.to_f64());
+        let after = v_n + problem.yields_to(&j).dot(n).to_f64();
+        prop_assert!(after >= -slack && after <= -e * v_n + slack, "{after} of {v_n}, e {e}: {impact:?}");
+        let limit = problem.friction.to_f64() * normal.to_f64();
+        let loose = 1e-5 * j.length() + (1.0 + problem.friction.to_f64()) * reported + off_unit * j.length();
+        prop_assert!(normal >= Exact::zero() && friction.length() <= limit + loose, "{impact:?}");
+        *tried.borrow_mut() += 1;
+        *over.borrow_mut() += u32::from(faint > 64);
+        Ok(())
+    });
+    assert!(tried.into_inner() > 4_000 && over.into_inner() > 2_000);
+}
+
 macro_rules! formats {
     ($($feature:literal, $name:ident, $format:ty;)+) => {$(
         #[cfg(feature = $feature)]
@@ -244,6 +278,11 @@ macro_rules! formats {
             #[test]
             fn safe_law_gains_nothing() {
                 super::safe_law_gains_nothing::<S>();
+            }
+
+            #[test]
+            fn safe_law_rebounds_less() {
+                super::safe_law_rebounds_less::<S>();
             }
 
             #[test]
