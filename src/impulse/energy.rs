@@ -50,6 +50,8 @@ pub(super) fn limit_energy<T: Scaled>(block: &ContactBlock<T>, friction: T, j: [
     let root = (b * b - (two + two) * a * c).sqrt();
     // The positive root, in the form that subtracts nothing.
     let s = if b > T::ZERO { -(two * c) / (b + root) } else { (root - b) / (two * a) };
+    // Where the line is too short to be told from rounding, its end is as good as any point.
+    let s = if s < T::ONE { s } else { T::ONE };
     // Rounding must not tip it over.
     let s = s * (T::ONE - (two + two) * T::EPSILON);
     [base[0] + s * d[0], base[1] + s * d[1], base[2] + s * d[2]]

@@ -2,7 +2,7 @@
 
 use super::Outcome;
 use super::lever::Column;
-use super::slip::{Slip, sliding_direction};
+use super::slip::{Sliding, Slip, sliding};
 use crate::body::Body;
 use crate::scalar::{Scalar, Scaled};
 
@@ -23,6 +23,8 @@ pub(super) struct InverseMass<T> {
 pub(super) struct ContactBlock<T> {
     pub inverse_mass: InverseMass<T>,
     pub speed: [T; 3],
+    /// 1/m_a + 1/m_b
+    pub inv_mass: T,
 }
 
 impl<T: Scaled> ContactBlock<T> {
@@ -38,7 +40,7 @@ impl<T: Scaled> ContactBlock<T> {
             t12: t1.coupling(t2),
             t22: t2.inverse_mass(a, b),
         };
-        Self { inverse_mass, speed: [approach, t1.speed(a, b), t2.speed(a, b)] }
+        Self { inverse_mass, speed: [approach, t1.speed(a, b), t2.speed(a, b)], inv_mass: a.inv_mass + b.inv_mass }
     }
 
     /// The impulse that gives v_n' = -e v_n under friction mu.
@@ -55,26 +57,36 @@ impl<T: Scaled> ContactBlock<T> {
             return frictionless;
         }
         let (g1, g2) = (k.n1 / k.nn, k.n2 / k.nn);
-        let (s11, s12, s22) = (k.t11 - k.n1 * g1, k.t12 - k.n1 * g2, k.t22 - k.n2 * g2);
+        // S is at least 1/m_a + 1/m_b in every direction, and so are its pivots: rounding must not take them below.
+        let least = self.inv_mass;
+        let s12 = k.t12 - k.n1 * g2;
+        let (s11, s22) = ((k.t11 - k.n1 * g1).max(least), (k.t22 - k.n2 * g2).max(least));
         let (q1, q2) = (v_1 - g1 * b, v_2 - g2 * b);
-        let determinant = s11 * s22 - s12 * s12;
-        if !(determinant > T::ZERO && s11 > T::ZERO) {
-            // The tensors leave no tangential inertia that the precision could tell from none.
-            return frictionless;
-        }
-        let j_1 = (s12 * q2 - s22 * q1) / determinant;
-        let j_2 = (s12 * q1 - s11 * q2) / determinant;
+        // Elimination from the larger pivot: the residual stays small however unequal the two are.
+        let swap = s11 < s22;
+        let (large, small, q_large, q_small) = if swap { (s22, s11, q2, q1) } else { (s11, s22, q1, q2) };
+        let ratio = s12 / large;
+        let pivot = (small - ratio * s12).max(least);
+        let j_small = (ratio * q_large - q_small) / pivot;
+        let j_large = -(q_large + s12 * j_small) / large;
+        let (j_1, j_2) = if swap { (j_small, j_large) } else { (j_large, j_small) };
         let j_n = -(b / k.nn + (g1 * j_1 + g2 * j_2));
         let limit = friction * j_n;
         if j_n > T::ZERO && j_1 * j_1 + j_2 * j_2 <= limit * limit {
             return ([j_n, j_1, j_2], Outcome::Stuck);
         }
 
-        let slip = Slip::new([s11, s12, s22], [q1, q2], -b / k.nn, friction, [g1, g2]);
-        let (d1, d2) = sliding_direction(&slip);
-        // On the cone, j_t = -mu j_n d: the normal row gives j_n.
-        let j_n = -b / (k.nn - friction * (k.n1 * d1 + k.n2 * d2));
-        let j_t = -(friction * j_n);
-        if j_n > T::ZERO { ([j_n, j_t * d1, j_t * d2], Outcome::Slid) } else { frictionless }
+        let slip = Slip::new([s11, s12, s22], (large, pivot), [q1, q2], -b / k.nn, friction, [g1, g2]);
+        let Sliding { direction: [d1, d2], friction: j_t } = sliding(&slip);
+        // On the cone, j_t = -mu j_n d, and the normal row gives j_n. Where friction presses the bodies together, that is
+        // a quotient of small differences, and the tangential rows know better.
+        let yields = k.nn - friction * (k.n1 * d1 + k.n2 * d2);
+        let (j_n, j_t) = if T::from_parts(8, 0) * yields > k.nn {
+            let j_n = -b / yields;
+            (j_n, friction * j_n)
+        } else {
+            (j_t / friction, j_t)
+        };
+        ([j_n, -(j_t * d1), -(j_t * d2)], Outcome::Slid)
     }
 }

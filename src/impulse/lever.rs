@@ -98,10 +98,11 @@ impl<S: Scalar> Column<S> {
         linear + (self.b.speed(b) - self.a.speed(a))
     }
 
-    /// The denominator of (10), along d.
+    /// The denominator of (10), along d. What a body's rotation adds is never negative, and rounding must not make it so.
     #[inline(always)]
     pub fn inverse_mass(&self, a: &Body<S>, b: &Body<S>) -> S::Scaled {
-        (a.inv_mass + b.inv_mass) + self.coupling(self)
+        let zero = S::Scaled::ZERO;
+        (a.inv_mass + b.inv_mass) + (self.a.product(&self.a).max(zero) + self.b.product(&self.b).max(zero))
     }
 
     /// What the rotations add to the inverse mass between this direction and another.

@@ -25,28 +25,36 @@ pub(super) struct Slip<T> {
     q: [T; 2],
     /// dN/dt.
     p: [T; 2],
-    /// D(t) = 1 + t (d1 + t d2).
-    d1: T,
-    d2: T,
+    /// The larger of S_11 and S_22.
+    m: T,
+    /// Trace and determinant of S/m.
+    trace: T,
+    determinant: T,
     /// mu m times the frictionless impulse.
     load: T,
     /// mu K_nt / K_nn.
     coupling: [T; 2],
 }
 
+/// How a sliding contact slides: the unit direction of sliding after the impact in the two tangents, and the amount of
+/// friction by the tangential rows.
+pub(super) struct Sliding<T> {
+    pub direction: [T; 2],
+    pub friction: T,
+}
+
 impl<T: Scaled> Slip<T> {
-    /// From S (11, 12, 22), q, the frictionless impulse -b/K_nn, mu, and K_nt/K_nn.
+    /// From S (11, 12, 22), its larger diagonal element and the determinant over that, q, the frictionless impulse
+    /// -b/K_nn, mu, and K_nt/K_nn.
     #[inline(always)]
-    pub fn new(s: [T; 3], q: [T; 2], frictionless: T, friction: T, g: [T; 2]) -> Self {
-        let m = s[0].max(s[2]);
+    pub fn new(s: [T; 3], (m, pivot): (T, T), q: [T; 2], frictionless: T, friction: T, g: [T; 2]) -> Self {
         let [s11, s12, s22] = [s[0] / m, s[1] / m, s[2] / m];
-        let p = [(s22 - T::ONE) * q[0] - s12 * q[1], (s11 - T::ONE) * q[1] - s12 * q[0]];
-        let (x, y) = (s11 - T::ONE, s22 - T::ONE);
         Self {
             q,
-            p,
-            d1: x + y,
-            d2: x * y - s12 * s12,
+            p: [(s22 - T::ONE) * q[0] - s12 * q[1], (s11 - T::ONE) * q[1] - s12 * q[0]],
+            m,
+            trace: s11 + s22,
+            determinant: pivot / m,
             load: friction * m * frictionless,
             coupling: [friction * g[0], friction * g[1]],
         }
@@ -59,22 +67,32 @@ impl<T: Scaled> Slip<T> {
         (n, (n[0] * n[0] + n[1] * n[1]).sqrt())
     }
 
+    /// D(t), a sum of what is not negative.
+    #[inline(always)]
+    fn determinant(&self, t: T) -> T {
+        let rest = T::ONE - t;
+        rest * (rest + t * self.trace) + t * t * self.determinant
+    }
+
     /// Left side minus right side, and its derivative.
     #[inline(always)]
     fn excess(&self, t: T) -> (T, T) {
         let (n, length) = self.numerator(t);
         let dot = |a: [T; 2], b: [T; 2]| a[0] * b[0] + a[1] * b[1];
         let along = dot(self.coupling, n);
-        let value = t * (length - along) - self.load * (T::ONE + t * (self.d1 + t * self.d2));
+        let value = t * (length - along) - self.load * self.determinant(t);
+        // D(t) = 1 + t (d1 + t d2)
+        let two = T::ONE + T::ONE;
+        let (d1, d2) = (self.trace - two, self.determinant - self.trace + T::ONE);
         let slope = length - along + t * (dot(n, self.p) / length - dot(self.coupling, self.p))
-            - self.load * (self.d1 + t * (self.d2 + self.d2));
+            - self.load * (d1 + t * (d2 + d2));
         (value, slope)
     }
 }
 
-/// The unit direction of sliding after the impact, in the two tangents.
+/// The root, and what it says of the sliding.
 #[inline]
-pub(super) fn sliding_direction<T: Scaled>(slip: &Slip<T>) -> (T, T) {
+pub(super) fn sliding<T: Scaled>(slip: &Slip<T>) -> Sliding<T> {
     let half = T::from_parts(1, -1);
     let (mut low, mut high) = (T::ZERO, T::ONE);
     // Newton's first step from t = 0, where the value is -load.
@@ -101,5 +119,5 @@ pub(super) fn sliding_direction<T: Scaled>(slip: &Slip<T>) -> (T, T) {
         t = if next > low && next < high { next } else { half * (low + high) };
     }
     let ([x, y], length) = slip.numerator(t);
-    (x / length, y / length)
+    Sliding { direction: [x / length, y / length], friction: t * length / (slip.m * slip.determinant(t)) }
 }

@@ -96,17 +96,19 @@ pub(crate) const fn wide_quotient(n: u32, d: u32, shift: u32) -> Option<u32> {
     };
     let mut r = wide.wrapping_sub(q.wrapping_mul(d as u64)) as i64;
     let divisor = d as i64;
-    // Cutting both to 30 bits moved the estimate by at most six units of 2^31, the shift by one: bounded steps mend it.
-    let mut left = 12;
-    while r < 0 && left > 0 {
-        q = q.wrapping_sub(1);
-        r = r.wrapping_add(divisor);
-        left -= 1;
-    }
-    while r >= divisor && left > 0 {
-        q = q.wrapping_add(1);
-        r = r.wrapping_sub(divisor);
-        left -= 1;
+    // Cutting both to 30 bits moved the estimate by at most six units of 2^31, the shift by one. Eight too few, the
+    // remainder is positive; the rest is a comparison a binary digit. (Written as a loop that subtracts, the compiler
+    // makes a 64-bit division of it.)
+    q = q.wrapping_sub(8);
+    r = r.wrapping_add(divisor.wrapping_shl(3));
+    let mut digit = 4;
+    while digit >= 0 {
+        let part = divisor.wrapping_shl(digit as u32);
+        if r >= part {
+            q = q.wrapping_add(1 << digit);
+            r = r.wrapping_sub(part);
+        }
+        digit -= 1;
     }
     if r.wrapping_shl(1) >= divisor {
         q = q.wrapping_add(1);

@@ -196,7 +196,8 @@ impl Scaled for Scaled32 {
 
     #[inline]
     fn from_parts(mantissa: i32, exponent: i32) -> Self {
-        Self::new(mantissa as i64, exponent.clamp(-LIMIT, LIMIT))
+        // Far beyond any format, and so far from the limit that no impulse leads there.
+        Self::new(mantissa as i64, exponent.clamp(-(LIMIT >> 8), LIMIT >> 8))
     }
 
     #[inline(always)]
