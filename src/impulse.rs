@@ -33,7 +33,7 @@ mod slip;
 use self::apply::{apply_block, apply_normal};
 use self::energy::limit_energy;
 use self::friction::ContactBlock;
-use self::lever::Pair;
+use self::lever::{Column, without_impulse};
 use crate::body::Body;
 use crate::contact::{Contact, Material, RestitutionLaw};
 use crate::math::{UnitVec3, Vec3};
@@ -73,18 +73,26 @@ impl<S: Scalar> Impact<S> {
     }
 }
 
-/// The velocity of B's point relative to A's, v_r = (v_b + w_b x r_b) - (v_a + w_a x r_a).
+/// The velocity of B's point relative to A's, v_r = (v_b + w_b x r_b) - (v_a + w_a x r_a). In fixed point a component
+/// beyond the format takes its end.
 #[must_use]
 pub fn relative_velocity<S: Scalar>(a: &Body<S>, b: &Body<S>, contact: &Contact<S>) -> Vec3<S> {
-    let along = |axis: UnitVec3<S>| S::from_scaled(Pair::new(a, b, contact).column(axis).speed(a, b)).0;
-    Vec3::new(along(UnitVec3::X), along(UnitVec3::Y), along(UnitVec3::Z))
+    let scaled = |v: Vec3<S>| v.to_array().map(S::to_scaled);
+    let (v_a, v_b) = (scaled(a.linear_velocity), scaled(b.linear_velocity));
+    let (w_a, w_b) = (scaled(a.angular_velocity), scaled(b.angular_velocity));
+    let (r_a, r_b) = (scaled(contact.r_a), scaled(contact.r_b));
+    Vec3::from_array([(0, 1, 2), (1, 2, 0), (2, 0, 1)].map(|(x, y, z)| {
+        let turn_a = w_a[y] * r_a[z] - w_a[z] * r_a[y];
+        let turn_b = w_b[y] * r_b[z] - w_b[z] * r_b[y];
+        S::from_scaled((v_b[x] - v_a[x]) + (turn_b - turn_a)).0
+    }))
 }
 
 /// The mass that the contact opposes to an impulse along `direction`: the inverse of the denominator of (10). Zero where
 /// neither body can move.
 #[must_use]
 pub fn effective_mass<S: Scalar>(a: &Body<S>, b: &Body<S>, contact: &Contact<S>, direction: UnitVec3<S>) -> S {
-    let k = Pair::new(a, b, contact).column(direction).inverse_mass(a, b);
+    let k = Column::new(a, b, contact, direction).inverse_mass(a, b);
     if k == S::Scaled::ZERO { S::ZERO } else { S::from_scaled(S::Scaled::ONE / k).0 }
 }
 
@@ -92,20 +100,19 @@ pub fn effective_mass<S: Scalar>(a: &Body<S>, b: &Body<S>, contact: &Contact<S>,
 /// neither body can move, or something is not finite. `restitution` is that of [`Material`]: 0 to 1.
 #[must_use]
 pub fn collision_impulse<S: Scalar>(a: &Body<S>, b: &Body<S>, contact: &Contact<S>, restitution: S) -> S {
-    let column = Pair::new(a, b, contact).column(contact.normal);
-    match column.impulse(a, b, restitution) {
-        Ok(j) => S::from_scaled(j).0,
-        Err(_) => S::ZERO,
-    }
+    let column = Column::new(a, b, contact, contact.normal);
+    let (speed, k) = (column.speed(a, b), column.inverse_mass(a, b));
+    let j = S::rebound(restitution, speed, k);
+    if k > S::Scaled::ZERO && k.is_finite() && j.is_finite() { S::from_scaled(j).0 } else { S::ZERO }
 }
 
 /// Applies an impulse along the normal to both bodies, by (2) and (3). True where a velocity met the end of the format.
-/// An impulse that is not finite changes nothing.
+/// Where the impulse, an arm or a tensor is not finite, nothing is changed.
 pub fn apply_impulse<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, contact: &Contact<S>, normal_impulse: S) -> bool {
-    if !normal_impulse.is_finite() {
+    let column = Column::new(a, b, contact, contact.normal);
+    if !(normal_impulse.is_finite() && column.inverse_mass(a, b).is_finite()) {
         return false;
     }
-    let column = Pair::new(a, b, contact).column(contact.normal);
     apply_normal(a, b, &column, normal_impulse.to_scaled())
 }
 
@@ -118,10 +125,9 @@ pub fn resolve_collision<S: Scalar>(
     contact: &Contact<S>,
     restitution: S,
 ) -> Impact<S> {
-    let column = Pair::new(a, b, contact).column(contact.normal);
+    let column = Column::new(a, b, contact, contact.normal);
     let j = match column.impulse(a, b, restitution) {
-        Ok(j) if j > S::Scaled::ZERO => j,
-        Ok(_) => return Impact::nothing(Outcome::Separating),
+        Ok(j) => j,
         Err(outcome) => return Impact::nothing(outcome),
     };
     let clipped = apply_normal(a, b, &column, j);
@@ -142,21 +148,15 @@ pub fn resolve_collision_with_friction<S: Scalar>(
     contact: &Contact<S>,
     material: &Material<S>,
 ) -> Impact<S> {
-    let pair = Pair::new(a, b, contact);
-    let normal = pair.column(contact.normal);
-    let speed = normal.speed(a, b);
-    if !speed.is_finite() {
-        return Impact::nothing(Outcome::NotFinite);
+    let normal = Column::new(a, b, contact, contact.normal);
+    let (speed, k) = (normal.speed(a, b), normal.inverse_mass(a, b));
+    let approaching = speed < S::Scaled::ZERO && k > S::Scaled::ZERO && k.is_finite();
+    if !approaching {
+        return Impact::nothing(without_impulse(speed, k));
     }
-    if speed >= S::Scaled::ZERO {
-        return Impact::nothing(Outcome::Separating);
-    }
-    let (t1, t2) = contact.normal.tangents();
-    let columns = [normal, pair.column(t1), pair.column(t2)];
-    let block = ContactBlock::new(a, b, &columns, speed);
-    if block.inverse_mass.nn == S::Scaled::ZERO {
-        return Impact::nothing(Outcome::Immovable);
-    }
+    let (t1, t2) = contact.normal.odd_tangents();
+    let columns = [normal, Column::new(a, b, contact, t1), Column::new(a, b, contact, t2)];
+    let block = ContactBlock::new(a, b, &columns, speed, k);
     let friction = material.friction().to_scaled();
     let (mut j, outcome) = block.solve(material.restitution().to_scaled(), friction);
     if material.law == RestitutionLaw::EnergySafe {

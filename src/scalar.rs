@@ -4,6 +4,7 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::error::RangeError;
+use crate::math::{SymMat3, Vec3};
 
 #[cfg(any(feature = "f32", feature = "f64", feature = "micromath"))]
 mod float;
@@ -18,6 +19,8 @@ mod fixed;
 mod fpu;
 #[cfg(feature = "fixed")]
 mod integer;
+#[cfg(feature = "fixed")]
+mod lever32;
 #[cfg(feature = "micromath")]
 mod micromath;
 #[cfg(feature = "fixed")]
@@ -47,6 +50,8 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     type Scaled: Scaled<Unit = Self::Unit, Exponent = Self::Exponent>;
     /// The power of two that a block of [`Unit`](Self::Unit) numbers shares; of size zero in floating point.
     type Exponent: Copy + Default + Debug + PartialEq + Send + Sync + 'static;
+    /// How an impulse along a direction turns a body; see [`lever`](Self::lever).
+    type Lever: Copy + Debug + Send + Sync + 'static;
     /// Length of a sub-step in seconds.
     type SubStep: Copy + Default + Debug + PartialEq + Send + Sync + 'static;
     /// What [`advance`](Self::advance) carries from one sub-step to the next.
@@ -126,18 +131,52 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     /// scaled first.
     fn normalize3(v: [Self; 3]) -> Option<[Self::Unit; 3]>;
 
-    /// The vector as a block: `v = block * 2^exponent` with components within +-1/2 (in floating point: itself).
-    fn align3(v: [Self; 3]) -> ([Self::Unit; 3], Self::Exponent);
-
     /// `v0 d0 + v1 d1 + v2 d2`, exact before it is rounded to [`Scaled`](Self::Scaled).
     /// `d` is of length at most two.
     fn scaled_dot3(v: [Self; 3], d: [Self::Unit; 3]) -> Self::Scaled;
 
-    /// `(b - a) . d`, exact before it is rounded: the difference may be beyond the format. `d` is of unit length.
-    fn relative_dot3(a: [Self; 3], b: [Self; 3], d: [Self::Unit; 3]) -> Self::Scaled;
+    /// `-d` for a unit vector.
+    fn opposite(d: &Vec3<Self::Unit>) -> Vec3<Self::Unit>;
 
-    /// `x + k d`, rounded once a component, and whether a component met the end of the range. `d` is within +-2.
-    fn add_scaled3(x: [Self; 3], d: [Self::Unit; 3], k: Self::Scaled) -> ([Self; 3], bool);
+    /// What an impulse along the unit direction `d` does at the end of the arm `r`: c = r x d and u = I^-1 c, for a tensor
+    /// I^-1 with the power of two of its block.
+    fn lever(
+        r: &Vec3<Self>,
+        d: &Vec3<Self::Unit>,
+        inv_inertia: &SymMat3<Self::Unit>,
+        exponent: Self::Exponent,
+    ) -> Self::Lever;
+
+    /// The columns I^-1 c of three levers of one arm times three factors, added up.
+    fn blend(levers: [&Self::Lever; 3], factors: [Self::Unit; 3]) -> Self::Lever;
+
+    /// The speed at which two points part: `v . d + w . c`, added up for both bodies, each with its own direction away from
+    /// the other.
+    fn parting_speed(
+        v: [&Vec3<Self>; 2],
+        w: [&Vec3<Self>; 2],
+        d: [&Vec3<Self::Unit>; 2],
+        levers: [&Self::Lever; 2],
+    ) -> Self::Scaled;
+
+    /// The denominator of (10): `1/m + c . u`, added up for both bodies.
+    fn inverse_mass(inv_masses: [Self::Scaled; 2], levers: [&Self::Lever; 2]) -> Self::Scaled;
+
+    /// What the rotations of both bodies add to the inverse mass between two directions: `c . u'`, added up.
+    fn coupling(levers: [&Self::Lever; 2], others: [&Self::Lever; 2]) -> Self::Scaled;
+
+    /// `-(1 + e) speed / k` for `e` in 0 to 1 and `k >= 0`. For `k = 0`: not finite, in fixed point zero.
+    fn rebound(restitution: Self, speed: Self::Scaled, k: Self::Scaled) -> Self::Scaled;
+
+    /// `v + j m d` and `w + j u` for an inverse mass m and a lever's u, rounded once a component, and whether a component
+    /// met the end of the range. `d` is within +-1.
+    fn push(
+        v: &mut Vec3<Self>,
+        w: &mut Vec3<Self>,
+        linear: (&Vec3<Self::Unit>, Self::Scaled),
+        lever: &Self::Lever,
+        j: Self::Scaled,
+    ) -> bool;
 
     /// The same number as a [`Scaled`](Self::Scaled), rounded to its 30 bits.
     fn to_scaled(self) -> Self::Scaled;
@@ -187,6 +226,9 @@ pub trait Scaled:
 
     /// Neither an infinity nor a NaN; in fixed point: not the quotient by zero.
     fn is_finite(self) -> bool;
+
+    /// Above zero and finite: an impulse between approaching bodies.
+    fn is_impulse(self) -> bool;
 
     /// The square root; of a negative number NaN, in fixed point zero.
     #[must_use]

@@ -107,7 +107,7 @@ fn the_sweep_would_see_a_floor_or_a_wrap() {
 
 /// A scaled number as an exact integer times a power of two.
 fn value(x: Scaled32) -> (i128, i32) {
-    (x.mantissa().into(), x.exponent() - 30)
+    if x == Scaled32::ZERO { (0, 0) } else { (x.mantissa().into(), x.exponent() - 30) }
 }
 
 /// `|x - n 2^e| <= 2^-30 |n 2^e|`, for exponents that are near each other.
@@ -143,12 +143,15 @@ fn scaled_operations_are_correctly_rounded() {
             let (left, right) = if exponent < 0 { (left, right << -exponent) } else { (left << exponent, right) };
             assert!((left - right).unsigned_abs() << 30 <= right.unsigned_abs(), "{x:?} / {y:?}");
         }
-        if m >= 0 {
+        if m > 0 {
+            // The nearest: half a unit less, squared, is below the number, and half a unit more above.
             let (r, g) = value(x.sqrt());
-            // r 2^g within 2^-30 of the root: its square within 2^-29 and a little.
-            let (square, exponent) = (r * r, 2 * g - e);
-            let (square, m) = if exponent < 0 { (square, m << -exponent) } else { (square << exponent, m) };
-            assert!((square - m).unsigned_abs() << 28 <= m.unsigned_abs(), "sqrt {x:?}");
+            let [below, above] = [2 * r - 1, 2 * r + 1].map(|twice| twice * twice);
+            let four = 4 * m;
+            let places = 2 * g - e;
+            let (four, below, above) =
+                if places < 0 { (four << -places, below, above) } else { (four, below << places, above << places) };
+            assert!(below <= four && four <= above, "sqrt {x:?}");
         }
     }
 }

@@ -147,7 +147,7 @@ impl<S: Scalar> Table<S> {
                 }
                 self.cushion_impacts = self.cushion_impacts.wrapping_add(1);
                 // The cushion takes up the opposite of what the ball gets.
-                let axis = along(normal, impact.normal_impulse);
+                let axis = normal.times(impact.normal_impulse);
                 self.given = self.given - axis - impact.friction_impulse;
             }
         }
@@ -201,13 +201,7 @@ fn metres<S: Scalar>(v: Vec3<S>) -> [S; 2] {
 
 /// A contact of round bodies: the arms are radii along the normal.
 fn contact<S: Scalar>(normal: UnitVec3<S>, radius_a: S, radius_b: S) -> Contact<S> {
-    Contact { normal, r_a: along(normal, radius_a), r_b: -along(normal, radius_b) }
-}
-
-fn along<S: Scalar>(direction: UnitVec3<S>, length: S) -> Vec3<S> {
-    let d = direction.get().to_array();
-    let (v, _) = S::add_scaled3([S::ZERO; 3], d, length.to_scaled());
-    Vec3::from_array(v)
+    Contact { normal, r_a: normal.times(radius_a), r_b: -normal.times(radius_b) }
 }
 
 #[inline(never)]

@@ -28,12 +28,12 @@ pub(super) struct ContactBlock<T> {
 }
 
 impl<T: Scaled> ContactBlock<T> {
-    /// From the columns along n, 1 and 2. The approach speed has been computed already.
+    /// From the columns along n, 1 and 2. The speed and the inverse mass along n have been computed already.
     #[inline(always)]
-    pub fn new<S: Scalar<Scaled = T>>(a: &Body<S>, b: &Body<S>, columns: &[Column<S>; 3], approach: T) -> Self {
+    pub fn new<S: Scalar<Scaled = T>>(a: &Body<S>, b: &Body<S>, columns: &[Column<S>; 3], approach: T, nn: T) -> Self {
         let [n, t1, t2] = columns;
         let inverse_mass = InverseMass {
-            nn: n.inverse_mass(a, b),
+            nn,
             n1: n.coupling(t1),
             n2: n.coupling(t2),
             t11: t1.inverse_mass(a, b),

@@ -58,24 +58,44 @@ impl<S: Scalar> UnitVec3<S> {
         self.0
     }
 
+    /// The vector of that length along the direction; of a negative length, the other way. In fixed point within 0.51 units
+    /// of the last place a component, and at the end of the range where that is left.
+    #[must_use]
+    pub fn times(self, length: S) -> Vec3<S> {
+        let length = length.to_scaled();
+        let along = |d: S::Unit| S::from_scaled(d.to_scaled() * length).0;
+        Vec3::new(along(self.0.x), along(self.0.y), along(self.0.z))
+    }
+
     /// Two directions that form a right-handed orthonormal frame with this one as the third axis.
     ///
-    /// Duff and others, "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017: one division, no root. The branch
-    /// depends on the sign of the first component that is not zero, from the last on, so that the opposite direction
-    /// has the same first tangent and the opposite second one, bit for bit.
+    /// Duff and others, "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017: one division, no root. The opposite
+    /// direction has the same first tangent and the opposite second one, bit for bit.
     #[inline]
     pub fn tangents(self) -> (Self, Self) {
+        let (first, second) = self.odd_tangents();
+        (if self.is_mirrored() { -first } else { first }, second)
+    }
+
+    /// The direction or its opposite: one of the two, decided by the last component that is not zero.
+    #[inline]
+    fn is_mirrored(self) -> bool {
         let Vec3 { x, y, z } = self.0;
         let zero = S::Unit::ZERO;
-        let flipped = z < zero || (z == zero && (y < zero || (y == zero && x < zero)));
-        // With the sign taken out, z >= 0 and the frame of the opposite direction follows by mirroring.
-        let (x, y, z) = if flipped { (x.negated(), y.negated(), z.negated()) } else { (x, y, z) };
+        z < zero || (z == zero && (y < zero || (y == zero && x < zero)))
+    }
+
+    /// Two directions across this one and each other. The opposite direction has the opposite ones, bit for bit.
+    #[inline]
+    pub(crate) fn odd_tangents(self) -> (Self, Self) {
+        let mirrored = self.is_mirrored();
+        let Vec3 { x, y, z } = if mirrored { -self.0 } else { self.0 };
         let (a, _) = S::Unit::from_scaled(S::Scaled::ONE / (S::Scaled::ONE + z.to_scaled()));
         let one = S::Unit::ONE;
         let b = x.times(y).times(a).negated();
-        let first = Vec3::new(one.minus(x.times(x).times(a)), b, x.negated());
-        let second = Vec3::new(b, one.minus(y.times(y).times(a)), y.negated());
-        (Self(first), Self(if flipped { -second } else { second }))
+        let first = Self(Vec3::new(one.minus(x.times(x).times(a)), b, x.negated()));
+        let second = Self(Vec3::new(b, one.minus(y.times(y).times(a)), y.negated()));
+        if mirrored { (-first, -second) } else { (first, second) }
     }
 }
 

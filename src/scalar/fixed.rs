@@ -6,8 +6,10 @@ use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30, U31};
 
 use super::Scalar;
 use super::integer::{round_shift, round_sqrt, wide_quotient};
+use super::lever32::{self, Lever32, dot, product};
 use super::scaled32::{Scaled32, shift_product};
 use crate::error::RangeError;
+use crate::math::{SymMat3, Vec3};
 
 /// `x` clipped to 32 bits, and whether that changed it.
 #[inline(always)]
@@ -19,11 +21,6 @@ const fn clip(x: i64) -> (i32, bool) {
     } else {
         (x as i32, false)
     }
-}
-
-#[inline(always)]
-const fn product(a: i32, b: i32) -> i64 {
-    (a as i64).wrapping_mul(b as i64)
 }
 
 /// `(p + q + r) / 2^frac` rounded and clipped, for products of 32-bit numbers and `frac <= 30`.
@@ -45,12 +42,6 @@ fn end_of_range(p: i64, q: i64, r: i64) -> i32 {
     if (p >> 2).wrapping_add(q >> 2).wrapping_add(r >> 2) < 0 { i32::MIN } else { i32::MAX }
 }
 
-/// The exact sum of three products; the caller knows that it fits.
-#[inline(always)]
-const fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
-    product(a[0], b[0]).wrapping_add(product(a[1], b[1])).wrapping_add(product(a[2], b[2]))
-}
-
 /// The places by which a vector can move left so that its components stay within 29 bits: -2 to 29.
 #[inline(always)]
 const fn headroom(v: [i32; 3]) -> i32 {
@@ -70,8 +61,75 @@ fn bits3<Frac>(v: [FixedI32<Frac>; 3]) -> [i32; 3] {
 }
 
 #[inline(always)]
-fn units(v: [i32; 3]) -> [I2F30; 3] {
-    [I2F30::from_bits(v[0]), I2F30::from_bits(v[1]), I2F30::from_bits(v[2])]
+fn bits_of<Frac>(v: &Vec3<FixedI32<Frac>>) -> [i32; 3] {
+    [v.x.to_bits(), v.y.to_bits(), v.z.to_bits()]
+}
+
+/// `x + k d` for a block `d` of Q2.30 and components of `x` in units of 2^-frac: rounded once a component, and whether a
+/// component met the end of the range.
+#[inline(always)]
+fn add_scaled<Frac>(x: &mut Vec3<FixedI32<Frac>>, d: [i32; 3], k: i32, exponent: i32) -> bool
+where
+    Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
+{
+    // The upper half of the product has 29 bits or less and moves right by a place or more:
+    // what was cut off below makes no difference to the rounding.
+    let down = 28i32.wrapping_sub(Frac::I32).wrapping_sub(exponent);
+    if down <= 0 {
+        return add_far(x, d, k, exponent);
+    }
+    let down = (down as u32).min(31);
+    let half = (1u32.wrapping_shl(down) >> 1) as i32;
+    // All products before the first branch: behind one, the compiler no longer sees that a factor has 32 bits.
+    let high = [(product(d[0], k) >> 32) as i32, (product(d[1], k) >> 32) as i32, (product(d[2], k) >> 32) as i32];
+    let change = high.map(|high| high.wrapping_add(half).wrapping_shr(down));
+    let mut clipped = false;
+    let mut add = |x: &mut FixedI32<Frac>, change: i32| match x.to_bits().checked_add(change) {
+        Some(bits) => *x = FixedI32::from_bits(bits),
+        None => {
+            clipped = true;
+            *x = end_towards(change);
+        }
+    };
+    add(&mut x.x, change[0]);
+    add(&mut x.y, change[1]);
+    add(&mut x.z, change[2]);
+    clipped
+}
+
+/// The nearest number to one of 2^29 units of the last place and more.
+#[cold]
+#[inline(never)]
+fn from_large<Frac>(x: Scaled32) -> (FixedI32<Frac>, bool)
+where
+    Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
+{
+    let (bits, clipped) = clip(x.to_bits(Frac::I32));
+    (FixedI32::from_bits(bits), clipped)
+}
+
+/// The end of the range with that sign.
+#[cold]
+#[inline(never)]
+fn end_towards<Frac>(sign: i32) -> FixedI32<Frac> {
+    FixedI32::from_bits(if sign < 0 { i32::MIN } else { i32::MAX })
+}
+
+/// The same for changes of 2^26 units of the last place and more.
+#[cold]
+#[inline(never)]
+fn add_far<Frac>(x: &mut Vec3<FixedI32<Frac>>, d: [i32; 3], k: i32, exponent: i32) -> bool
+where
+    Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
+{
+    let down = 60i32.wrapping_sub(Frac::I32).wrapping_sub(exponent);
+    let mut clipped = false;
+    for (x, d) in [&mut x.x, &mut x.y, &mut x.z].into_iter().zip(d) {
+        let (bits, met) = clip(shift_product(product(d, k), down).wrapping_add(x.to_bits() as i64));
+        *x = FixedI32::from_bits(bits);
+        clipped |= met;
+    }
+    clipped
 }
 
 /// `|n| 2^frac / |d|` with its sign, clipped.
@@ -94,12 +152,13 @@ where
     type Unit = I2F30;
     type Scaled = Scaled32;
     type Exponent = i32;
+    type Lever = Lever32;
     type SubStep = FixedI32<U31>;
     type Remainder = u16;
 
     const ZERO: Self = Self::from_bits(0);
     const ONE: Self = Self::from_bits(1 << Frac::U32);
-    const NO_EXPONENT: i32 = 0;
+    const NO_EXPONENT: i32 = Scaled32::LOWEST;
 
     #[inline]
     fn from_ratio(numerator: i32, denominator: i32) -> Result<Self, RangeError> {
@@ -206,38 +265,71 @@ where
     }
 
     #[inline(always)]
-    fn align3(v: [Self; 3]) -> ([I2F30; 3], i32) {
-        let v = bits3(v);
-        let places = headroom(v);
-        let block = units([move_left(v[0], places), move_left(v[1], places), move_left(v[2], places)]);
-        (block, 30i32.wrapping_sub(Frac::I32).wrapping_sub(places))
-    }
-
-    #[inline(always)]
     fn scaled_dot3(v: [Self; 3], d: [I2F30; 3]) -> Scaled32 {
         // |v| < 2^31.8 and |d| <= 2^31 in units of the last place: below 2^62.8.
         Scaled32::new(dot(bits3(v), bits3(d)), -30i32.wrapping_add(Frac::I32))
     }
 
     #[inline(always)]
-    fn relative_dot3(a: [Self; 3], b: [Self; 3], d: [I2F30; 3]) -> Scaled32 {
-        // Each dot is below 2^61.8 for a unit vector, their difference below 2^62.8.
-        let d = bits3(d);
-        let difference = dot(bits3(b), d).wrapping_sub(dot(bits3(a), d));
-        Scaled32::new(difference, -30i32.wrapping_add(Frac::I32))
+    fn opposite(d: &Vec3<I2F30>) -> Vec3<I2F30> {
+        Vec3::new(d.x.wrapping_neg(), d.y.wrapping_neg(), d.z.wrapping_neg())
     }
 
     #[inline(always)]
-    fn add_scaled3(x: [Self; 3], d: [I2F30; 3], k: Scaled32) -> ([Self; 3], bool) {
-        let down = 60i32.wrapping_sub(Frac::I32).wrapping_sub(k.exponent());
-        let add = |x: Self, d: I2F30| {
-            let change = shift_product(product(d.to_bits(), k.mantissa()), down);
-            clip(change.wrapping_add(x.to_bits() as i64))
-        };
-        let (x0, clipped0) = add(x[0], d[0]);
-        let (x1, clipped1) = add(x[1], d[1]);
-        let (x2, clipped2) = add(x[2], d[2]);
-        ([Self::from_bits(x0), Self::from_bits(x1), Self::from_bits(x2)], clipped0 | clipped1 | clipped2)
+    fn lever(r: &Vec3<Self>, d: &Vec3<I2F30>, inv_inertia: &SymMat3<I2F30>, exponent: i32) -> Lever32 {
+        Lever32::new(r, d, inv_inertia, exponent, Frac::I32)
+    }
+
+    #[inline(always)]
+    fn blend(levers: [&Lever32; 3], factors: [I2F30; 3]) -> Lever32 {
+        Lever32::blend(levers, factors.map(I2F30::to_bits))
+    }
+
+    #[inline(always)]
+    fn parting_speed(
+        v: [&Vec3<Self>; 2],
+        w: [&Vec3<Self>; 2],
+        d: [&Vec3<I2F30>; 2],
+        levers: [&Lever32; 2],
+    ) -> Scaled32 {
+        lever32::parting_speed(v.map(bits_of), w.map(bits_of), d, levers, Frac::I32)
+    }
+
+    #[inline(always)]
+    fn inverse_mass(inv_masses: [Scaled32; 2], levers: [&Lever32; 2]) -> Scaled32 {
+        lever32::inverse_mass(inv_masses, levers)
+    }
+
+    #[inline(always)]
+    fn coupling(levers: [&Lever32; 2], others: [&Lever32; 2]) -> Scaled32 {
+        lever32::coupling(levers, others)
+    }
+
+    #[inline(always)]
+    fn rebound(restitution: Self, speed: Scaled32, k: Scaled32) -> Scaled32 {
+        let bits = restitution.to_bits();
+        let bits = if bits < 0 { 0 } else { bits };
+        let bits = if bits > 1 << Frac::U32 { 1 << Frac::U32 } else { bits };
+        let factor = (bits as u32).wrapping_add(1 << Frac::U32).wrapping_shl(30 - Frac::U32);
+        Scaled32::quotient_of_product(-speed, factor, k)
+    }
+
+    #[inline(never)]
+    fn push(
+        v: &mut Vec3<Self>,
+        w: &mut Vec3<Self>,
+        linear: (&Vec3<I2F30>, Scaled32),
+        lever: &Lever32,
+        j: Scaled32,
+    ) -> bool {
+        let (d, inv_mass) = linear;
+        // Known to be positive, a factor counts as unsigned, and such a product takes three instructions instead of one.
+        let (m, q) = (inv_mass.mantissa(), core::hint::black_box(j.mantissa()));
+        let k = product(m << 1, q << 1).wrapping_add(1 << 30) >> 31;
+        let exponent = inv_mass.exponent().wrapping_add(j.exponent()).wrapping_sub(1);
+        let fast = add_scaled(v, bits_of(d), k as i32, exponent);
+        let (u, exponent) = lever.turn();
+        fast | add_scaled(w, u, q, j.exponent().wrapping_add(exponent))
     }
 
     #[inline(always)]
@@ -247,8 +339,15 @@ where
 
     #[inline(always)]
     fn from_scaled(x: Scaled32) -> (Self, bool) {
-        let (bits, clipped) = clip(x.to_bits(Frac::I32));
-        (Self::from_bits(bits), clipped)
+        let down = 30i32.wrapping_sub(x.exponent()).wrapping_sub(Frac::I32);
+        if down <= 0 {
+            return from_large(x);
+        }
+        // 2^30 and a half of 2^30 are cut to one, below that to nothing.
+        let down = (down as u32).min(31);
+        let half = (1u32.wrapping_shl(down) >> 1) as i32;
+        let m = x.mantissa();
+        (Self::from_bits(m.wrapping_add(half).wrapping_add(m >> 31).wrapping_shr(down)), false)
     }
 
     #[inline]

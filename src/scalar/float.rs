@@ -1,14 +1,27 @@
 //! What all floating-point types share: plain operations, each rounded once, in the order written.
 
+use crate::math::Vec3;
+
+/// A lever in floating point: c = r x d and u = I^-1 c.
+#[derive(Clone, Copy, Debug)]
+pub struct FloatLever<T> {
+    pub(super) cross: Vec3<T>,
+    pub(super) turn: Vec3<T>,
+}
+
 /// Implements `Scalar` and `Scaled` for a float: `$sqrt` is its square root, `$int` makes one of an `i32`, `$bits` gives
 /// the stored bits, `$power` is two to an exponent that is in the normal range.
 macro_rules! float_scalar {
     ($float:ty, sqrt: $sqrt:expr, int: $int:expr, bits: $bits:expr, power: $power:expr, max_exponent: $max_exponent:expr,
      zero: $zero:expr, one: $one:expr, pi: $pi:expr, epsilon: $epsilon:expr, small: $small:expr, finite: $finite:expr) => {
+        use super::float::FloatLever;
+        use $crate::math::{SymMat3, Vec3};
+
         impl $crate::scalar::Scalar for $float {
             type Unit = Self;
             type Scaled = Self;
             type Exponent = ();
+            type Lever = FloatLever<Self>;
             type SubStep = Self;
             type Remainder = Self;
 
@@ -117,23 +130,70 @@ macro_rules! float_scalar {
             }
 
             #[inline(always)]
-            fn align3(v: [Self; 3]) -> ([Self; 3], ()) {
-                (v, ())
-            }
-
-            #[inline(always)]
             fn scaled_dot3(v: [Self; 3], d: [Self; 3]) -> Self {
                 v[0] * d[0] + v[1] * d[1] + v[2] * d[2]
             }
 
             #[inline(always)]
-            fn relative_dot3(a: [Self; 3], b: [Self; 3], d: [Self; 3]) -> Self {
-                (b[0] - a[0]) * d[0] + (b[1] - a[1]) * d[1] + (b[2] - a[2]) * d[2]
+            fn opposite(d: &Vec3<Self>) -> Vec3<Self> {
+                -*d
             }
 
             #[inline(always)]
-            fn add_scaled3(x: [Self; 3], d: [Self; 3], k: Self) -> ([Self; 3], bool) {
-                ([x[0] + d[0] * k, x[1] + d[1] * k, x[2] + d[2] * k], false)
+            fn lever(r: &Vec3<Self>, d: &Vec3<Self>, inv_inertia: &SymMat3<Self>, (): ()) -> Self::Lever {
+                let cross = r.cross(*d);
+                FloatLever { cross, turn: inv_inertia.times(cross) }
+            }
+
+            #[inline(always)]
+            fn blend(levers: [&Self::Lever; 3], factors: [Self; 3]) -> Self::Lever {
+                let [a, b, c] = levers;
+                let sum =
+                    |a: Vec3<Self>, b: Vec3<Self>, c: Vec3<Self>| a * factors[0] + b * factors[1] + c * factors[2];
+                FloatLever { cross: sum(a.cross, b.cross, c.cross), turn: sum(a.turn, b.turn, c.turn) }
+            }
+
+            #[inline(always)]
+            fn parting_speed(
+                v: [&Vec3<Self>; 2],
+                w: [&Vec3<Self>; 2],
+                d: [&Vec3<Self>; 2],
+                levers: [&Self::Lever; 2],
+            ) -> Self {
+                let along = |i: usize| {
+                    let (v, d, w, c) = (v[i], d[i], w[i], levers[i].cross);
+                    v.x * d.x + v.y * d.y + v.z * d.z + w.x * c.x + w.y * c.y + w.z * c.z
+                };
+                along(0) + along(1)
+            }
+
+            #[inline(always)]
+            fn inverse_mass(inv_masses: [Self; 2], levers: [&Self::Lever; 2]) -> Self {
+                let [a, b] = levers;
+                (inv_masses[0] + inv_masses[1]) + (a.cross.dot(a.turn) + b.cross.dot(b.turn))
+            }
+
+            #[inline(always)]
+            fn coupling(levers: [&Self::Lever; 2], others: [&Self::Lever; 2]) -> Self {
+                levers[0].cross.dot(others[0].turn) + levers[1].cross.dot(others[1].turn)
+            }
+
+            #[inline(always)]
+            fn rebound(restitution: Self, speed: Self, k: Self) -> Self {
+                -(($one + restitution) * speed) / k
+            }
+
+            #[inline(always)]
+            fn push(
+                v: &mut Vec3<Self>,
+                w: &mut Vec3<Self>,
+                linear: (&Vec3<Self>, Self),
+                lever: &Self::Lever,
+                j: Self,
+            ) -> bool {
+                *v += *linear.0 * (linear.1 * j);
+                *w += lever.turn * j;
+                false
             }
 
             #[inline(always)]
@@ -181,6 +241,11 @@ macro_rules! float_scalar {
             #[inline(always)]
             fn sqrt(self) -> Self {
                 $sqrt(self)
+            }
+
+            #[inline(always)]
+            fn is_impulse(self) -> bool {
+                self > $zero && $finite(self)
             }
 
             #[inline(always)]

@@ -28,18 +28,35 @@ const RECIPROCAL_SEED: [u8; 64] = {
     table
 };
 
-/// `1 / d` in Q2.30 for `d` in `[2^29, 2^30)` read as Q2.30 in `[1/2, 1)`; off by at most 2^-26 in relative terms.
+/// The upper half of the product.
+#[inline(always)]
+pub(crate) const fn high_product(a: u32, b: u32) -> u32 {
+    ((a as u64).wrapping_mul(b as u64) >> 32) as u32
+}
+
+/// `2^62 / d` for `d >= 2^31`; off by at most 2^-26 in relative terms.
 ///
 /// Two Newton steps `x (2 - d x)` from a 64-byte table: 7, 13, then 26 bits.
 #[inline(always)]
 pub(crate) const fn reciprocal(d: u32) -> u32 {
-    let index = (d >> 23) & 63;
-    let x0 = RECIPROCAL_SEED[index as usize] as u32 | 256;
-    let residual_q23 = (2u32 << 23).wrapping_sub((d >> 15).wrapping_mul(x0));
-    let x1_q15 = x0.wrapping_mul(residual_q23 >> 8) >> 8;
-    let residual_q45 = (2u64 << 45).wrapping_sub((d as u64).wrapping_mul(x1_q15 as u64));
-    let x2_q45 = (x1_q15 as u64).wrapping_mul(residual_q45 >> 15);
-    (x2_q45 >> 15) as u32
+    let x0 = RECIPROCAL_SEED[((d >> 25) & 63) as usize] as u32 | 256;
+    let rest_q23 = (2u32 << 23).wrapping_sub((d >> 17).wrapping_mul(x0));
+    let x1_q15 = x0.wrapping_mul(rest_q23 >> 8) >> 8;
+    let rest_q30 = (2u32 << 30).wrapping_sub(((d as u64).wrapping_mul(x1_q15 as u64) >> 17) as u32);
+    ((rest_q30 as u64).wrapping_mul((x1_q15 << 16) as u64) >> 31) as u32
+}
+
+/// `n 2^30 / d` to one unit, for `n` and `d` of 32 bits.
+///
+/// The reciprocal gives 26 bits; what is left of the dividend, times the reciprocal, the rest.
+#[inline(always)]
+pub(crate) const fn long_quotient(n: u32, d: u32) -> u32 {
+    let x = reciprocal(d);
+    let q = high_product(n, x);
+    // Below 2^38 in magnitude.
+    let rest = ((n as u64) << 30).wrapping_sub((q as u64).wrapping_mul(d as u64)) as i64;
+    let step = ((rest >> 8) as i32 as i64).wrapping_mul((x >> 1) as i32 as i64) >> 53;
+    q.wrapping_add(step as u32)
 }
 
 /// `n 2^k / d` rounded, for `n` and `d` in `[2^29, 2^30)` and `k` = 29 or 30: a quotient below 2^31.
@@ -48,7 +65,7 @@ pub(crate) const fn reciprocal(d: u32) -> u32 {
 /// the rounding: the result is correctly rounded whatever the reciprocal's error was.
 #[inline(always)]
 pub(crate) const fn quotient(n: u32, d: u32, k: u32) -> u32 {
-    let x = reciprocal(d) as u64;
+    let x = reciprocal(d << 2) as u64;
     let divisor = d as i64;
     let wide = (n as i64).wrapping_shl(k);
     let mut q = (n as u64).wrapping_mul(x).wrapping_shr(60u32.wrapping_sub(k)) as i64;

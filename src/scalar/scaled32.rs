@@ -6,7 +6,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use fixed::types::I2F30;
 
 use super::Scaled;
-use super::integer::{quotient, round_shift, round_sqrt};
+use super::integer::{high_product, long_quotient, quotient, round_shift, round_sqrt};
 
 /// A number `mantissa * 2^(exponent - 30)` whose mantissa has 30 bits (2^29 <= |mantissa| < 2^30), or zero.
 ///
@@ -15,7 +15,7 @@ use super::integer::{quotient, round_shift, round_sqrt};
 /// quotient and square root are correctly rounded to 30 bits (ties away from zero), a relative error of at most 2^-30.
 /// The exponent is far from its ends in every use of the library: each step adds at most a few exponents of the inputs,
 /// which are within +-64.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub struct Scaled32 {
     mantissa: i32,
@@ -27,25 +27,78 @@ const BITS: u32 = 30;
 /// Exponents stay within `-LIMIT..=LIMIT`, so that adding two of them cannot overflow.
 const LIMIT: i32 = 1 << 28;
 
+impl Default for Scaled32 {
+    fn default() -> Self {
+        <Self as Scaled>::ZERO
+    }
+}
+
 impl Scaled32 {
-    /// `x * 2^exponent`, rounded to 30 bits. |x| < 2^63 - 2^32.
+    /// The exponent of zero: below all others, so that zero never counts where exponents are compared.
+    pub(super) const LOWEST: i32 = -LIMIT;
+
+    const ZERO: Self = <Self as Scaled>::ZERO;
+
+    /// `x factor / 2^30 / d` for a factor in `[2^30, 2^31]` and `d >= 0`, to 2^-28; zero for `d = 0`.
+    #[inline(always)]
+    pub(super) const fn quotient_of_product(x: Self, factor: u32, d: Self) -> Self {
+        let sign = x.mantissa >> 31;
+        let n = high_product(((x.mantissa ^ sign).wrapping_sub(sign) as u32) << 2, factor);
+        if n == 0 || d.mantissa == 0 {
+            return Self::ZERO;
+        }
+        let zeros = (n | 1).leading_zeros();
+        let q = long_quotient(n.wrapping_shl(zeros), (d.mantissa as u32) << 2);
+        let places = (q | 1).leading_zeros();
+        let q = (q.wrapping_shl(places) >> 2) as i32;
+        let shift = 4i32.wrapping_sub(zeros as i32).wrapping_sub(places as i32);
+        let exponent = x.exponent.wrapping_sub(d.exponent).wrapping_add(shift);
+        Self { mantissa: (q ^ sign).wrapping_sub(sign), exponent }
+    }
+
+    /// `x * 2^exponent`, rounded to 30 bits.
     #[inline(always)]
     pub(crate) const fn new(x: i64, exponent: i32) -> Self {
-        if x == 0 {
-            return Self { mantissa: 0, exponent: 0 };
+        let (top, exponent, sign) = Self::leading(x, exponent);
+        // Two places less, rounded; a carry into bit 30 leaves a power of two, which halves exactly.
+        let rounded = (top >> 2).wrapping_add((top >> 1) & 1);
+        let carry = rounded >> BITS;
+        let mantissa = (rounded >> carry) as i32;
+        Self { mantissa: (mantissa ^ sign).wrapping_sub(sign), exponent: exponent.wrapping_add(carry as i32) }
+    }
+
+    /// The leading 32 bits of |x|, the exponent of `x * 2^exponent`, and the sign, 0 or -1.
+    #[inline(always)]
+    const fn leading(x: i64, exponent: i32) -> (u32, i32, i32) {
+        let sign = (x >> 63) as i32;
+        let magnitude = x.unsigned_abs();
+        let (mut high, mut low, mut exponent) = ((magnitude >> 32) as u32, magnitude as u32, exponent.wrapping_add(64));
+        if high == 0 {
+            (high, low, exponent) = (low, 0, exponent.wrapping_sub(32));
+            if high == 0 {
+                return (0, Self::LOWEST, 0);
+            }
         }
-        let width = 64u32.wrapping_sub(x.unsigned_abs().leading_zeros());
-        let (mantissa, shift) = if width > BITS {
-            let shift = width.wrapping_sub(BITS);
-            (round_shift(x, shift) as i32, shift as i32)
-        } else {
-            let shift = BITS.wrapping_sub(width);
-            ((x as i32).wrapping_shl(shift), (shift as i32).wrapping_neg())
-        };
-        let exponent = exponent.wrapping_add(shift).wrapping_add(BITS as i32);
-        // Rounding can carry into bit 30; the mantissa is then a power of two and halves exactly.
-        let carry = (mantissa.unsigned_abs() >> BITS) as i32;
-        Self { mantissa: mantissa.wrapping_shr(carry as u32), exponent: exponent.wrapping_add(carry) }.limited()
+        let zeros = (high | 1).leading_zeros();
+        let top = high.wrapping_shl(zeros) | (low >> 1).wrapping_shr(31 ^ zeros);
+        (top, exponent.wrapping_sub(zeros as i32), sign)
+    }
+
+    /// `x * 2^exponent`, cut off towards zero to 30 bits.
+    #[inline(always)]
+    pub(super) const fn cut(x: i64, exponent: i32) -> Self {
+        let (top, exponent, sign) = Self::leading(x, exponent);
+        Self { mantissa: ((top >> 2) as i32 ^ sign).wrapping_sub(sign), exponent }
+    }
+
+    /// `x * 2^(exponent - 32)`, cut off to 30 bits.
+    #[inline(always)]
+    pub(super) const fn cut32(x: u32, exponent: i32) -> Self {
+        if x == 0 {
+            return Self::ZERO;
+        }
+        let zeros = (x | 1).leading_zeros();
+        Self { mantissa: (x.wrapping_shl(zeros) >> 2) as i32, exponent: exponent.wrapping_sub(zeros as i32) }
     }
 
     #[inline(always)]
@@ -53,7 +106,7 @@ impl Scaled32 {
         if self.exponent > LIMIT {
             Self { mantissa: self.mantissa, exponent: LIMIT }
         } else if self.exponent < -LIMIT {
-            Self { mantissa: 0, exponent: 0 }
+            Self::ZERO
         } else {
             self
         }
@@ -79,6 +132,17 @@ impl Scaled32 {
     }
 }
 
+/// `x / 0`: the largest value with the sign of `x`, or zero.
+#[cold]
+#[inline(never)]
+const fn quotient_by_zero(x: Scaled32) -> Scaled32 {
+    match x.mantissa {
+        0 => Scaled32::ZERO,
+        1.. => Scaled32 { mantissa: MAX_MANTISSA, exponent: LIMIT },
+        _ => Scaled32 { mantissa: -MAX_MANTISSA, exponent: LIMIT },
+    }
+}
+
 /// `x / 2^down` rounded, for |x| <= 2^61 and any `down`; magnitudes beyond 2^61 come back as 2^61 with the sign of `x`.
 #[inline(always)]
 pub(crate) const fn shift_product(x: i64, down: i32) -> i64 {
@@ -100,22 +164,17 @@ pub(crate) const fn shift_product(x: i64, down: i32) -> i64 {
 impl Add for Scaled32 {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn add(self, other: Self) -> Self {
-        if self.mantissa == 0 {
-            return other;
-        }
-        if other.mantissa == 0 {
-            return self;
-        }
         let (high, low) = if self.exponent >= other.exponent { (self, other) } else { (other, self) };
-        let gap = high.exponent.wrapping_sub(low.exponent).unsigned_abs();
+        // Zero, too, with the lowest exponent of all.
+        let gap = high.exponent.wrapping_sub(low.exponent) as u32;
         if gap > 31 {
             return high;
         }
-        // 31 places to the left leave room to move the smaller one right by up to 31 without loss.
-        let sum = ((high.mantissa as i64) << 31).wrapping_add(((low.mantissa as i64) << 31).wrapping_shr(gap));
-        Self::new(sum, high.exponent.wrapping_sub(61))
+        let kept = high.mantissa.wrapping_add(low.mantissa.wrapping_shr(gap));
+        let rest = ((low.mantissa as u32) << 1).wrapping_shl(31 ^ gap);
+        Self::new((kept as i64) << 32 | rest as i64, high.exponent.wrapping_sub(62))
     }
 }
 
@@ -140,10 +199,22 @@ impl Neg for Scaled32 {
 impl Mul for Scaled32 {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn mul(self, other: Self) -> Self {
-        let product = (self.mantissa as i64).wrapping_mul(other.mantissa as i64);
-        Self::new(product, self.exponent.wrapping_add(other.exponent).wrapping_sub(60))
+        let sign = (self.mantissa ^ other.mantissa) >> 31;
+        let product = (self.mantissa.unsigned_abs() as u64).wrapping_mul(other.mantissa.unsigned_abs() as u64);
+        if product == 0 {
+            return Self::ZERO;
+        }
+        // 59 or 60 bits; what rounding carries into the 60th belongs there.
+        let rounded = product.wrapping_add(1 << 28);
+        let (mantissa, exponent) = if rounded >> 59 == 0 {
+            ((rounded >> 29) as i32, -1)
+        } else {
+            ((product.wrapping_add(1 << 29) >> 30) as i32, 0)
+        };
+        let exponent = self.exponent.wrapping_add(other.exponent).wrapping_add(exponent);
+        Self { mantissa: (mantissa ^ sign).wrapping_sub(sign), exponent }.limited()
     }
 }
 
@@ -151,16 +222,13 @@ impl Div for Scaled32 {
     type Output = Self;
 
     /// The quotient; by zero it is the largest value with the sign of the dividend, and 0/0 is zero.
-    #[inline]
+    #[inline(never)]
     fn div(self, other: Self) -> Self {
-        if self.mantissa == 0 {
-            return self;
+        if self.mantissa == 0 || other.mantissa == 0 {
+            return quotient_by_zero(self);
         }
         let negative = (self.mantissa ^ other.mantissa) < 0;
         let (n, d) = (self.mantissa.unsigned_abs(), other.mantissa.unsigned_abs());
-        if d == 0 {
-            return Self { mantissa: if negative { -MAX_MANTISSA } else { MAX_MANTISSA }, exponent: LIMIT };
-        }
         // The quotient of the mantissas lies in (1/2, 2): choose the scale that leaves it 30 bits.
         let up = if n < d { 30 } else { 29 };
         let q = quotient(n, d, up) as i64;
@@ -188,7 +256,7 @@ impl Scaled for Scaled32 {
     type Unit = I2F30;
     type Exponent = i32;
 
-    const ZERO: Self = Self { mantissa: 0, exponent: 0 };
+    const ZERO: Self = Self { mantissa: 0, exponent: Self::LOWEST };
     const ONE: Self = Self { mantissa: 1 << 29, exponent: 1 };
     /// 843314857 / 2^28.
     const PI: Self = Self { mantissa: 843_314_857, exponent: 2 };
@@ -205,13 +273,18 @@ impl Scaled for Scaled32 {
         self.exponent < LIMIT
     }
 
+    #[inline(always)]
+    fn is_impulse(self) -> bool {
+        self.mantissa > 0
+    }
+
     #[inline]
     fn sqrt(self) -> Self {
         if self.mantissa <= 0 {
             return Self::ZERO;
         }
-        // An even power of two comes out of the root; 30 or 31 more places give it 30 bits.
-        let places = 30i32.wrapping_add(self.exponent & 1);
+        // An even power of two comes out of the root; 29 or 30 more places give it 30 bits.
+        let places = 30i32.wrapping_sub(self.exponent & 1);
         let root = round_sqrt((self.mantissa as u64).wrapping_shl(places as u32));
         Self::new(root as i64, self.exponent.wrapping_sub(places).wrapping_sub(30) >> 1)
     }

@@ -1,0 +1,207 @@
+//! Levers in fixed point: blocks of three 32-bit mantissas under one power of two.
+//!
+//! An arm is moved left until it fills 30 bits, whatever its format, and everything that follows from it is the upper part
+//! of 64-bit sums of products. Nothing here can leave its range: |c| < 2^28.8 for c = r x d, and |u| < 2^28.8 for
+//! u = I^-1 c, since the trace of a tensor's block is at most 2^29. Sums are cut off, not rounded: 2^-28 of |r| and
+//! |I^-1||r|.
+
+use fixed::FixedI32;
+use fixed::types::I2F30;
+
+use super::scaled32::Scaled32;
+use crate::math::{SymMat3, Vec3};
+
+/// A lever in fixed point: the columns c = r x d and u = I^-1 c of an arm r and a direction d.
+#[derive(Clone, Copy, Debug)]
+pub struct Lever32 {
+    cross: [i32; 3],
+    turn: [i32; 3],
+    /// Of `cross`, as a block of Q2.30.
+    cross_exponent: i32,
+    /// Of `turn`.
+    turn_exponent: i32,
+}
+
+#[inline(always)]
+pub(super) const fn product(a: i32, b: i32) -> i64 {
+    (a as i64).wrapping_mul(b as i64)
+}
+
+/// The exact sum of three products; the caller knows that it fits.
+#[inline(always)]
+pub(super) const fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
+    product(a[0], b[0]).wrapping_add(product(a[1], b[1])).wrapping_add(product(a[2], b[2]))
+}
+
+/// `x / 2^K` cut off, for results within 32 bits. (From halves: the compiler then knows that a product of it is one of
+/// 32-bit numbers.)
+#[inline(always)]
+const fn narrow<const K: u32>(x: i64) -> i32 {
+    let (low, high) = (x as u32, (x >> 32) as u32);
+    if K == 32 { high as i32 } else { (high.wrapping_shl(32 - K) | low >> K) as i32 }
+}
+
+/// `x / 2^places` cut off. `places` in `0..=31`.
+#[inline(always)]
+const fn shift_right(x: i64, places: u32) -> i64 {
+    let (low, high) = (x as u32, (x >> 32) as i32);
+    let low = low.wrapping_shr(places) | ((high as u32) << 1).wrapping_shl(31 ^ places);
+    (high.wrapping_shr(places) as i64) << 32 | low as i64
+}
+
+#[inline(always)]
+fn bits(v: &Vec3<I2F30>) -> [i32; 3] {
+    [v.x.to_bits(), v.y.to_bits(), v.z.to_bits()]
+}
+
+/// Keeps the loads of one step behind the stores of the last: with all of them first, they outnumber the registers.
+#[inline(always)]
+fn step() {
+    core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
+}
+
+impl Lever32 {
+    /// For an arm whose components are `r` units of 2^-frac.
+    #[inline(never)]
+    pub(super) fn new<F>(
+        r: &Vec3<FixedI32<F>>,
+        d: &Vec3<I2F30>,
+        inv_inertia: &SymMat3<I2F30>,
+        exponent: i32,
+        frac: i32,
+    ) -> Self {
+        let r = [r.x.to_bits(), r.y.to_bits(), r.z.to_bits()];
+        // x ^ (x >> 31) is |x| for this purpose, without its exception at the lowest number.
+        let magnitude = (r[0] ^ (r[0] >> 31)) | (r[1] ^ (r[1] >> 31)) | (r[2] ^ (r[2] >> 31));
+        let places = (magnitude | 1).leading_zeros().wrapping_sub(1);
+        let r = r.map(|x| x.wrapping_shl(places));
+        let d = bits(d);
+        let m = d.map(i32::wrapping_neg);
+        // On three cores of five there is no multiply-and-subtract: products with -d are added instead.
+        let c = [
+            narrow::<32>(product(r[1], d[2]).wrapping_add(product(r[2], m[1]))),
+            narrow::<32>(product(r[2], d[0]).wrapping_add(product(r[0], m[2]))),
+            narrow::<32>(product(r[0], d[1]).wrapping_add(product(r[1], m[0]))),
+        ];
+        // No arm, no say in which power of two a sum takes.
+        let exponent_of_arm = 32i32.wrapping_sub(frac).wrapping_sub(places as i32);
+        let cross_exponent = if r[0] | r[1] | r[2] == 0 { Scaled32::LOWEST } else { exponent_of_arm };
+        let turn_exponent = cross_exponent.wrapping_add(exponent).wrapping_sub(1);
+        step();
+        let SymMat3 { xx, xy, xz, yy, yz, zz } = inv_inertia;
+        let u0 = narrow::<29>(dot([xx.to_bits(), xy.to_bits(), xz.to_bits()], c));
+        step();
+        let u1 = narrow::<29>(dot([xy.to_bits(), yy.to_bits(), yz.to_bits()], c));
+        step();
+        let u2 = narrow::<29>(dot([xz.to_bits(), yz.to_bits(), zz.to_bits()], c));
+        Self { cross: c, turn: [u0, u1, u2], cross_exponent, turn_exponent }
+    }
+
+    /// c . u' as a number of 64 bits and its exponent: the value is `product * 2^(exponent - 60)`.
+    #[inline(always)]
+    fn coupling(&self, other: &Self) -> (i64, i32) {
+        (dot(self.cross, other.turn), self.cross_exponent.wrapping_add(other.turn_exponent))
+    }
+
+    /// The sum of the columns u of three levers of one arm, times factors within +-1/2.
+    #[inline(never)]
+    pub(super) fn blend(levers: [&Self; 3], factors: [i32; 3]) -> Self {
+        let [a, b, c] = levers.map(|lever| lever.turn);
+        // Below 3 * 2^28.8 * 2^29.
+        let turn = [0, 1, 2].map(|i| narrow::<30>(dot([a[i], b[i], c[i]], factors)));
+        Self { turn, ..*levers[0] }
+    }
+
+    #[inline(always)]
+    pub(super) fn turn(&self) -> ([i32; 3], i32) {
+        (self.turn, self.turn_exponent)
+    }
+}
+
+/// `v . d + w . c` of both bodies, for components of v and w in units of 2^-frac.
+#[inline(always)]
+pub(super) fn parting_speed(
+    v: [[i32; 3]; 2],
+    w: [[i32; 3]; 2],
+    d: [&Vec3<I2F30>; 2],
+    levers: [&Lever32; 2],
+    frac: i32,
+) -> Scaled32 {
+    // Speeds are added up in units of 2^-22 of the last place, or less where the format is coarse and so the arms long.
+    let coarse: i32 = match frac {
+        26.. => 3,
+        12.. => 8,
+        _ => 16,
+    };
+    let [va, vb] = v;
+    let linear = dot(va, bits(d[0])).wrapping_add(dot(vb, bits(d[1])));
+    let [wa, wb] = w;
+    let (turned_a, turned_b) = (dot(wa, levers[0].cross), dot(wb, levers[1].cross));
+    let (down_a, down_b) =
+        (coarse.wrapping_sub(levers[0].cross_exponent), coarse.wrapping_sub(levers[1].cross_exponent));
+    // Below zero: arms too long for the common power of two.
+    if down_a | down_b < 0 {
+        return far_parting_speed(linear, [turned_a, turned_b], levers, frac);
+    }
+    let turned =
+        shift_right(turned_a, (down_a as u32).min(31)).wrapping_add(shift_right(turned_b, (down_b as u32).min(31)));
+    let speed = (linear >> coarse).wrapping_add(turned);
+    let sign = (speed >> 32) as i32 >> 31;
+    if (speed >> 32) as i32 == sign {
+        return far_parting_speed(linear, [turned_a, turned_b], levers, frac);
+    }
+    Scaled32::cut(speed, coarse.wrapping_sub(frac).wrapping_sub(30))
+}
+
+/// The same for arms of any length, and for the slowest speeds: nothing is cut off before the terms are added.
+#[cold]
+#[inline(never)]
+fn far_parting_speed(linear: i64, turned: [i64; 2], levers: [&Lever32; 2], frac: i32) -> Scaled32 {
+    let exponent = (-30i32).wrapping_sub(frac);
+    let [a, b] = [0, 1].map(|i| Scaled32::new(turned[i], exponent.wrapping_add(levers[i].cross_exponent)));
+    Scaled32::new(linear, exponent) + (a + b)
+}
+
+/// Four numbers of at most 30 bits, with exponents, added up.
+#[inline(always)]
+fn sum(terms: [(u32, i32); 4]) -> Scaled32 {
+    let [(a, ea), (b, eb), (c, ec), (d, ed)] = terms;
+    let mut top = ea;
+    if eb > top {
+        top = eb;
+    }
+    if ec > top {
+        top = ec;
+    }
+    if ed > top {
+        top = ed;
+    }
+    let top = top.wrapping_add(1);
+    let down = |x: u32, e: i32| x.wrapping_shr((top.wrapping_sub(e) as u32).min(31));
+    let sum = (down(a, ea).wrapping_add(down(b, eb))).wrapping_add(down(c, ec).wrapping_add(down(d, ed)));
+    Scaled32::cut32(sum, top.wrapping_add(2))
+}
+
+/// 1/m + c . u of both bodies.
+#[inline(always)]
+pub(super) fn inverse_mass(inv_masses: [Scaled32; 2], levers: [&Lever32; 2]) -> Scaled32 {
+    let mass = |i: usize| (inv_masses[i].mantissa() as u32, inv_masses[i].exponent());
+    let turn = |i: usize| {
+        let (product, exponent) = levers[i].coupling(levers[i]);
+        // Below 2^59.6. Never negative, and cutting off must not make it so.
+        let product = if product < 0 { 0 } else { narrow::<28>(product) as u32 };
+        let zeros = (product | 1).leading_zeros();
+        (product.wrapping_shl(zeros) >> 2, exponent.wrapping_sub(zeros as i32))
+    };
+    sum([mass(0), mass(1), turn(0), turn(1)])
+}
+
+/// c . u' of both bodies.
+#[inline(always)]
+pub(super) fn coupling(levers: [&Lever32; 2], others: [&Lever32; 2]) -> Scaled32 {
+    let term = |i: usize| {
+        let (product, exponent) = levers[i].coupling(others[i]);
+        Scaled32::cut(product, exponent.wrapping_sub(60))
+    };
+    term(0) + term(1)
+}
