@@ -65,6 +65,11 @@ fn micromath_roots_are_within_their_bound() {
     for (x, y) in table("sqrt") {
         assert!(((Scalar::sqrt(F32(x)).0 - y) / y).abs() < 1e-5, "sqrt {x}");
     }
+    // All the small subnormal numbers and a comb over the others, up to the first normal one.
+    for bits in (1..=4096).chain((4096..=0x0080_0000).step_by(101)) {
+        let x = f32::from_bits(bits);
+        assert!(off(x) < 1e-5, "sqrt {x:e}: off by {:e}", off(x));
+    }
     assert_eq!(Scalar::sqrt(F32(0.0)).0, 0.0);
     assert_eq!(Scalar::sqrt(F32(f32::INFINITY)).0, f32::INFINITY);
     assert!(Scalar::sqrt(F32(-1.0)).0.is_nan() && Scalar::sqrt(F32(f32::NAN)).0.is_nan());
