@@ -180,7 +180,11 @@ impl<S: Scalar> Solid<S> {
 }
 
 impl<S: Scalar> MassProperties<S> {
-    /// From a mass and a full inertia tensor about the centre of mass, in the body's frame.
+    /// From a mass (kg) and a full inertia tensor (kg m^2) about the centre of mass, in the body's frame.
+    ///
+    /// The tensor is inverted here, once: each entry of I^-1 I is within 4 c^2 u of the unit matrix's, for a ratio c of
+    /// the largest principal moment to the smallest and a precision u of 2^-29 in fixed point, 2^-23 in f32 and 2^-52 in
+    /// f64, whatever the size of the tensor.
     ///
     /// # Errors
     /// [`MassError`]: the mass is not positive and finite, the tensor not finite and positive definite, or a principal
@@ -190,16 +194,18 @@ impl<S: Scalar> MassProperties<S> {
             return Err(MassError::Mass);
         }
         let SymMat3 { xx, xy, xz, yy, yz, zz } = inertia;
-        let tensor = [xx, xy, xz, yy, yz, zz].map(S::to_scaled);
+        // Of unit size: the determinant is of the third power, and soon beyond a float.
+        let size = power_near(xx.to_scaled().max(yy.to_scaled()).max(zz.to_scaled()));
+        let tensor = [xx, xy, xz, yy, yz, zz].map(|x| x.to_scaled() / size);
         let inverse = inverse(tensor).ok_or(MassError::Inertia)?;
         if !obeys_triangle_inequality(tensor) {
             return Err(MassError::Triangle);
         }
-        Self::from_inverse_tensor(S::Scaled::ONE / mass.to_scaled(), inverse)
+        Self::from_inverse_tensor(S::Scaled::ONE / mass.to_scaled(), inverse.map(|x| x / size))
     }
 
     /// From the inverse mass and the inverse principal moments, for values that the format itself would not hold: a body
-    /// of 1e-5 kg m^2, say, in Q16.16. Zero moments lock the rotation about their axis.
+    /// of 1e-5 kg m^2, say, in Q16.16. Zero inverse moments lock the rotation about their axis.
     ///
     /// # Errors
     /// [`MassError`]: the inverse mass is not positive and finite, or an inverse moment negative or not finite.
@@ -235,6 +241,21 @@ impl<S: Scalar> MassProperties<S> {
     pub fn with_locked_rotation(self) -> Self {
         Self { inv_inertia: SymMat3::ZERO, ..self }
     }
+}
+
+/// A power of two within a factor of two of a positive number.
+fn power_near<T: Scaled>(x: T) -> T {
+    let mut power = T::ONE;
+    for exponent in [512, 256, 128, 64, 32, 16, 8, 4, 2, 1] {
+        let larger = power * T::from_parts(1, exponent);
+        let smaller = power * T::from_parts(1, -exponent);
+        if larger <= x {
+            power = larger;
+        } else if smaller >= x {
+            power = smaller;
+        }
+    }
+    power
 }
 
 /// The six numbers xx, xy, xz, yy, yz, zz of the inverse, by cofactors; `None` unless positive definite.
