@@ -156,12 +156,18 @@ fn constructors<S: Format>(words: &mut Words<'_>) -> TestCaseResult {
         (Solid::capsule(size.x, size.y), positive(size.x) && (positive(size.y) || size.y == S::ZERO)),
         (Solid::cone(size.x, size.y), positive(size.x) && positive(size.y)),
     ] {
-        prop_assert_eq!(solid.is_ok(), valid);
+        // A float may refuse what is valid: where the volume or a moment leaves its range.
+        let refusable = !S::saturates() && !size.to_array().iter().all(|&x| is_moderate(x));
+        let expected = solid.is_ok() == valid || (refusable && solid.is_err());
+        prop_assert!(expected, "valid: {valid}");
         if let Ok(properties) = solid.map_err(|_| ()).and_then(|solid| solid.with_mass(mass).map_err(|_| ())) {
             prop_assert!(positive(mass));
             let body = Body::dynamic(properties);
             prop_assert!(body.inv_mass() > S::Scaled::ZERO && body.inv_mass().is_finite());
             prop_assert!(body.inv_inertia_world().iter().all(|x| x.is_finite()));
+            let [x, _, _, y, _, z] = body.inv_inertia_local();
+            let turns = [x, y, z].into_iter().all(|x| x > S::Scaled::ZERO);
+            prop_assert!(S::saturates() || turns, "the rotation is locked");
         }
     }
     let tensor = SymMat3 {
@@ -185,6 +191,12 @@ fn constructors<S: Format>(words: &mut Words<'_>) -> TestCaseResult {
         let _ = S::from_raw(other).advance(size.x, h, &mut remainder);
     }
     Ok(())
+}
+
+/// So far from the ends of a float's range that a fourth power stays within it.
+fn is_moderate<S: Format>(x: S) -> bool {
+    let (size, end) = (x.value_or_nan().abs(), S::largest().sqrt().sqrt() / 8.0);
+    size < end && size > 1.0 / end
 }
 
 trait ValueOrNan {

@@ -398,6 +398,70 @@ fn bad_dimensions_and_masses_are_named() {
     in_all!(bad_solids);
 }
 
+/// Positive and finite, and still no solid in a float: 10^k and 10^-k are, for k from `cube` on, beyond its range in the
+/// third power, from `square` on in the second.
+fn beyond_the_float<S: HostScalar>(cube: i32, square: i32) {
+    let power = |k: i32| number::<S>(10f64.powi(k));
+    let one = S::ONE;
+    for sign in [1, -1] {
+        let (cubed, squared) = (power(sign * cube), power(sign * square));
+        for r in [cubed, squared] {
+            assert_eq!(Solid::sphere(r), Err(SolidError::Radius));
+            assert_eq!(Solid::capsule(r, S::ZERO), Err(SolidError::Radius));
+            assert_eq!(Solid::capsule(r, r), Err(SolidError::Radius));
+            assert_eq!(Solid::cylinder(r, r), Err(SolidError::Radius));
+            assert_eq!(Solid::cone(r, r), Err(SolidError::Radius));
+            assert_eq!(Solid::cuboid(Vec3::new(r, r, r)), Err(SolidError::HalfExtent));
+            assert_eq!(Solid::ellipsoid(Vec3::new(r, r, r)), Err(SolidError::SemiAxis));
+        }
+        assert!(Solid::spherical_shell(cubed).is_ok() && Solid::tube(cubed, cubed).is_ok());
+        assert_eq!(Solid::spherical_shell(squared), Err(SolidError::Radius));
+        assert_eq!(Solid::tube(squared, squared), Err(SolidError::Radius));
+    }
+    // One dimension of two.
+    let long = power(square);
+    assert_eq!(Solid::cylinder(long, one), Err(SolidError::Radius));
+    assert_eq!(Solid::cylinder(one, long), Err(SolidError::HalfLength));
+    assert_eq!(Solid::tube(one, long), Err(SolidError::HalfLength));
+    assert_eq!(Solid::capsule(one, long), Err(SolidError::HalfLength));
+    assert_eq!(Solid::cone(one, long), Err(SolidError::Height));
+    assert_eq!(Solid::cuboid(Vec3::new(one, long, one)), Err(SolidError::HalfExtent));
+    assert_eq!(Solid::ellipsoid(Vec3::new(one, one, long)), Err(SolidError::SemiAxis));
+
+    // The product with the mass: of 10^2k/3 and a moment of 10^k/2.
+    for sign in [1, -1] {
+        let k = 2 * square * sign;
+        let solid = Solid::sphere(power(k / 4)).expect("a sphere");
+        assert_eq!(solid.with_mass(power(2 * k / 3)), Err(MassError::Mass));
+        assert_eq!(solid.with_density(power(k / 2)), Err(MassError::Density));
+        let near = Solid::sphere(power(k / 8)).expect("a sphere");
+        assert!(near.with_mass(power(k / 2)).is_ok() && near.with_density(power(k / 4)).is_ok());
+    }
+    // A tensor up to the ends of the range.
+    for sign in [1, -1] {
+        let moment = power(sign * (2 * square - 5));
+        let found = read(MassProperties::new(one, SymMat3::diagonal(moment, moment, moment)).expect("a tensor"));
+        assert_near(found[1], moment.to_f64(), 2.0 * epsilon::<S>(), &name::<S>());
+    }
+    // A moment has all its digits, or there is none: below the normal numbers it would be off by up to a third.
+    for k in -square * 2..-cube {
+        if let Ok(shell) = Solid::<S>::spherical_shell(power(k)) {
+            let right = power(k).to_f64().powi(2) * 2.0 / 3.0;
+            assert_near(S::scaled_to_f64(shell.moments()[0]), right, 4.0 * epsilon::<S>(), &name::<S>());
+        }
+    }
+}
+
+#[test]
+fn what_a_float_cannot_hold_is_named() {
+    #[cfg(feature = "f32")]
+    beyond_the_float::<f32>(14, 20);
+    #[cfg(feature = "micromath")]
+    beyond_the_float::<micromath::F32>(14, 20);
+    #[cfg(feature = "f64")]
+    beyond_the_float::<f64>(106, 156);
+}
+
 fn bad_tensors<S: HostScalar>() {
     let mass: S = number(1.0);
     let new = |m: [f64; 6]| {
