@@ -46,7 +46,7 @@ struct Counts {
 
 /// What must hold of any report, whatever went in.
 ///
-/// `wild`: masses that no format leads to, such as 2^(2^27). Only they make fixed point give up.
+/// `wild`: masses that no format leads to, such as 2^(2^20). Only they make fixed point give up.
 fn report_is_true<S: Format>(
     case: &Case<S>,
     (a, b): (&Body<S>, &Body<S>),

@@ -285,7 +285,7 @@ fn faults_are_seen<S: Format>() {
         torque.b.angular_velocity = case.b.angular_velocity - (result.b.angular_velocity - case.b.angular_velocity);
         // Another e.
         let soft = Case { restitution: S::ZERO, ..case };
-        // A thousandth too much friction.
+        // A hundredth too much friction.
         let friction = result.impact.friction_impulse.to_array().map(|x| S::nearest(x.value().to_f64() * 1.01));
         let strong = Impact { friction_impulse: Vec3::from_array(friction), ..result.impact };
         // A zero impulse that still touches the last place of a velocity.
