@@ -10,9 +10,9 @@ use crate::scalar::Scalar;
 pub struct Contact<S: Scalar> {
     /// From body A to body B.
     pub normal: UnitVec3<S>,
-    /// From the centre of mass of A to the point, in the world's frame.
+    /// From the centre of mass of A to the point, in the world's frame, m.
     pub r_a: Vec3<S>,
-    /// From the centre of mass of B to the point, in the world's frame.
+    /// From the centre of mass of B to the point, in the world's frame, m.
     pub r_b: Vec3<S>,
 }
 

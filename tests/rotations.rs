@@ -107,7 +107,8 @@ fn quaternions<S: HostScalar>() {
         let [vx, vy, vz] = v.map(|x| S::from_f64(x).expect("in range"));
         let rotated = q.rotate(Vec3::new(vx, vy, vz)).to_array().map(S::to_f64);
         let exact = [vx, vy, vz].map(S::to_f64);
-        let unit = S::spacing(100.0) + 100.0 * bound;
+        let length = dot(exact, exact).sqrt();
+        let unit = S::spacing(length) + length * bound;
         for (r, row) in rotated.iter().zip(matrix(stored)) {
             worst[3] = worst[3].max((r - dot(row, exact)).abs() / unit);
         }

@@ -110,6 +110,10 @@ impl<S: Scalar> Quat<S> {
     }
 
     /// A vector of the body's frame in the world's frame.
+    ///
+    /// Each component is within 1.5 (p + u |v|), for the spacing p of numbers of the size of |v| and the spacing u of
+    /// [`Scalar::Unit`] just above one: 2^-30 in fixed point. In fixed point a component beyond the format takes the end
+    /// of its range.
     #[must_use]
     pub fn rotate(self, v: Vec3<S>) -> Vec3<S> {
         let [x, y, z] = self.to_mat3().rows;

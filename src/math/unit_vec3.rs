@@ -58,7 +58,9 @@ impl<S: Scalar> UnitVec3<S> {
         self.0
     }
 
-    /// Two directions that form a right-handed orthonormal frame with this one as the third axis.
+    /// Two directions that form a right-handed orthonormal frame with this one as the third axis: inner products and
+    /// squares of the lengths are within 4 units of the last place of [`Scalar::Unit`], and of what this direction itself
+    /// lacks of unit length, from 0 and 1.
     ///
     /// Duff and others, "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017: one division, no root. The branch
     /// depends on the sign of the first component that is not zero, from the last on, so that the opposite direction
