@@ -15,7 +15,7 @@ use exact::balance::kinetic_energy;
 use exact::cases::turn_towards;
 use exact::laws::{REPORTED, Result, beyond, scale, stored_problem};
 use exact::oracle::read_vector;
-use exact::strategy::{Sketch, any_size, forall, sketch};
+use exact::strategy::{Sketch, any_size, everyday, forall, sketch};
 use exact::{Case, Exact, Format, Problem, Vector, Worst};
 use proptest::prelude::*;
 
@@ -194,6 +194,25 @@ fn safe_law_gains_nothing<S: Format>() {
     assert!(gains.lost < 1e-4, "{}", gains.lost);
 }
 
+/// The share of impacts in which Newton's law gains energy, where nothing favours it: everyday bodies, arms in any
+/// direction, any restitution in 0 to 1 and friction in 0 to 1.5.
+fn newton_seldom_gains<S: Format>() {
+    const CASES: u32 = 10_000;
+    let [gains, rubbed] = [0u32; 2].map(RefCell::new);
+    forall(CASES, everyday::<S>(), |mut case| {
+        turn_towards(&mut case);
+        let result = rub(&case, RestitutionLaw::Newton);
+        let energies = energies(&Problem::read(&case), &result);
+        *gains.borrow_mut() += u32::from(energies.after > energies.before + energies.rounding);
+        *rubbed.borrow_mut() += u32::from(result.impact.outcome != Outcome::Separating);
+        Ok(())
+    });
+    let share = f64::from(gains.into_inner()) / f64::from(CASES);
+    println!("{}: Newton's law gains energy in {:.2} % of everyday impacts", S::name(), 100.0 * share);
+    assert!(rubbed.into_inner() > CASES * 99 / 100);
+    assert!((0.003..0.006).contains(&share), "{share}");
+}
+
 /// The same for impacts of any size, from the work of the reported impulse: T' - T = J . v_r + J . W J / 2.
 fn safe_law_does_no_work<S: Format>() {
     let (worst, newton, tried) = (RefCell::new(Worst::default()), RefCell::new(0u32), RefCell::new(0u32));
@@ -278,6 +297,11 @@ macro_rules! formats {
             #[test]
             fn safe_law_gains_nothing() {
                 super::safe_law_gains_nothing::<S>();
+            }
+
+            #[test]
+            fn newton_seldom_gains() {
+                super::newton_seldom_gains::<S>();
             }
 
             #[test]
