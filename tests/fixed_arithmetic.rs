@@ -216,7 +216,7 @@ fn ratios_and_sub_steps_know_their_range() {
         // Near the lower end: n = -2^11 d, and up to two more or less.
         let d = 1 + random.below(1 << 19) as i32;
         let n = -(d << 11) + random.below(5) as i32 - 2;
-        let magnitude = (2 * i128::from(-n) << 20) + i128::from(d);
+        let magnitude = ((2 * i128::from(-n)) << 20) + i128::from(d);
         let rounded = magnitude / (2 * i128::from(d));
         let expected = if rounded <= 1 << 31 { Ok(rounded.wrapping_neg() as i32) } else { Err(RangeError) };
         assert_eq!(I12F20::from_ratio(n, d).map(I12F20::to_bits), expected, "{n}/{d}");
