@@ -9,22 +9,15 @@ mod exact;
 
 use std::cell::RefCell;
 
-use carom::impulse::{Outcome, resolve_collision, resolve_collision_with_friction};
-use carom::{Material, RestitutionLaw};
+use carom::RestitutionLaw;
+use carom::impulse::Outcome;
 use exact::balance::kinetic_energy;
 use exact::cases::turn_towards;
-use exact::laws::{REPORTED, Result, beyond, scale, stored_problem};
+use exact::laws::{REPORTED, Result, beyond, bounce, rub, scale, stored_problem};
 use exact::oracle::read_vector;
 use exact::strategy::{Sketch, any_size, everyday, forall, sketch};
-use exact::{Case, Exact, Format, Problem, Vector, Worst};
+use exact::{Case, Exact, Format, Problem, Vector, Worst, in_formats};
 use proptest::prelude::*;
-
-fn rub<S: Format>(case: &Case<S>, law: RestitutionLaw) -> Result<S> {
-    let material = Material::new(case.restitution, case.friction).expect("a material").with_law(law);
-    let (mut a, mut b) = (case.a, case.b);
-    let impact = resolve_collision_with_friction(&mut a, &mut b, &case.contact, &material);
-    Result { a, b, impact }
-}
 
 /// Energies before and after, and what rounding can do to the difference: each stored velocity is off by half a unit of
 /// its last place and by a few roundings of the intermediate numbers.
@@ -111,10 +104,9 @@ fn frictionless_loss<S: Format>() {
     forall(2_000, eccentric(), |(sketch, kind)| {
         let case = build::<S>(&sketch, kind);
         let problem = Problem::read(&case);
-        let (mut a, mut b) = (case.a, case.b);
-        let impact = resolve_collision(&mut a, &mut b, &case.contact, case.restitution);
-        let energies = energies(&problem, &Result { a, b, impact });
-        let loss = if impact.outcome == Outcome::Slid {
+        let result = bounce(&case);
+        let energies = energies(&problem, &result);
+        let loss = if result.impact.outcome == Outcome::Slid {
             let e = &problem.restitution;
             let square = problem.approach().square();
             (&square - &(&(e * e) * &square)).ratio(&problem.denominator()) / 2.0
@@ -283,45 +275,6 @@ fn safe_law_rebounds_less<S: Format>() {
     assert!(tried.into_inner() > 4_000 && over.into_inner() > 2_000);
 }
 
-macro_rules! formats {
-    ($($feature:literal, $name:ident, $format:ty;)+) => {$(
-        #[cfg(feature = $feature)]
-        mod $name {
-            type S = $format;
-
-            #[test]
-            fn frictionless_loss() {
-                super::frictionless_loss::<S>();
-            }
-
-            #[test]
-            fn safe_law_gains_nothing() {
-                super::safe_law_gains_nothing::<S>();
-            }
-
-            #[test]
-            fn newton_seldom_gains() {
-                super::newton_seldom_gains::<S>();
-            }
-
-            #[test]
-            fn safe_law_rebounds_less() {
-                super::safe_law_rebounds_less::<S>();
-            }
-
-            #[test]
-            fn safe_law_does_no_work() {
-                super::safe_law_does_no_work::<S>();
-            }
-        }
-    )+};
-}
-
-formats! {
-    "fixed", i16f16, fixed::types::I16F16;
-    "fixed", i12f20, fixed::types::I12F20;
-    "fixed", i8f24, fixed::types::I8F24;
-    "f32", single, f32;
-    "f64", double, f64;
-    "micromath", micromath_f32, micromath::F32;
-}
+in_formats!(usual {
+    frictionless_loss safe_law_gains_nothing newton_seldom_gains safe_law_rebounds_less safe_law_does_no_work
+});

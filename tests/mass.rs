@@ -3,9 +3,12 @@
 
 #[path = "support/host.rs"]
 mod host;
+#[path = "support/random.rs"]
+mod random;
 
 use carom::{Body, MassError, MassProperties, Quat, Scaled, Solid, SolidError, SymMat3, Vec3};
 use host::HostScalar;
+use random::Random;
 
 /// Runs a generic check in every number type of the features under test.
 macro_rules! in_all {
@@ -238,14 +241,10 @@ fn rotation(q: [f64; 4]) -> Matrix {
 
 /// A reproducible spread of orientations: w, x, y, z of unit length.
 fn orientations() -> Vec<[f64; 4]> {
-    let mut state = 0x2545_f491_4f6c_dd1d_u64;
-    let mut next = move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    };
+    let mut random = Random::new(15);
     let mut all = vec![[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.0, -1.0], [0.5, -0.5, 0.5, 0.5]];
     while all.len() < 1000 {
-        let q = [next(), next(), next(), next()];
+        let q: [f64; 4] = std::array::from_fn(|_| random.between(-1.0, 1.0));
         let length = q.iter().map(|c| c * c).sum::<f64>().sqrt();
         if (0.1..=1.0).contains(&length) {
             all.push(q.map(|c| c / length));

@@ -6,10 +6,13 @@
 mod host;
 #[path = "support/random.rs"]
 mod random;
+#[path = "support/rotation.rs"]
+mod rotation;
 
 use carom::{DirectionError, OrientationError, Quat, SymMat3, UnitVec3, Vec3};
 use host::HostScalar;
 use random::Random;
+use rotation::matrix;
 
 fn unit3<S: HostScalar>(v: Vec3<S::Unit>) -> [f64; 3] {
     v.to_array().map(S::unit_to_f64)
@@ -58,15 +61,6 @@ fn tangents<S: HostScalar>() {
         let (u1, u2) = (-n).tangents();
         assert!(u1 == t1 && u2 == -t2, "{}: the opposite direction has another frame", name::<S>());
     }
-}
-
-/// R by its definition, in f64.
-fn matrix([w, x, y, z]: [f64; 4]) -> [[f64; 3]; 3] {
-    [
-        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
-        [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
-        [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
-    ]
 }
 
 fn quaternions<S: HostScalar>() {
