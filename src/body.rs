@@ -13,11 +13,11 @@ use crate::scalar::{Scalar, Scaled};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Body<S: Scalar> {
-    /// The centre of mass in the world's frame.
+    /// The centre of mass in the world's frame, m. The kernel does not read it.
     pub position: Vec3<S>,
-    /// The velocity of the centre of mass in the world's frame.
+    /// The velocity of the centre of mass in the world's frame, m/s.
     pub linear_velocity: Vec3<S>,
-    /// The angular velocity in the world's frame, rad per unit of time.
+    /// The angular velocity in the world's frame, rad/s.
     pub angular_velocity: Vec3<S>,
     pub(crate) inv_mass: S::Scaled,
     pub(crate) inv_inertia_world: SymMat3<S::Unit>,
@@ -60,6 +60,10 @@ impl<S: Scalar> Body<S> {
     }
 
     /// Turns the body, and its inertia tensor with it.
+    ///
+    /// Each entry of the tensor R I^-1 R^T is within 8 u of the exact one in units of the trace, for a precision u of
+    /// 2^-29 in fixed point, 2^-23 in f32 and 2^-52 in f64; a multiple of the unit matrix stays as it is, bit for bit.
+    /// Some sixty multiplications, no division and no root.
     pub fn set_orientation(&mut self, orientation: Quat<S>) {
         self.orientation = orientation;
         self.inv_inertia_world = self.inv_inertia_local.rotated(&orientation.to_mat3());
@@ -91,7 +95,8 @@ impl<S: Scalar> Body<S> {
         [m.xx, m.xy, m.xz, m.yy, m.yz, m.zz].map(|x| x.to_scaled().raised(self.exponent))
     }
 
-    /// The point of the body's frame in the world's frame, seen from the centre of mass: an arm for a contact.
+    /// The point of the body's frame (m) in the world's frame, seen from the centre of mass: an arm for a contact. As
+    /// accurate as [`Quat::rotate`].
     #[must_use]
     pub fn arm(&self, local_point: Vec3<S>) -> Vec3<S> {
         self.orientation.rotate(local_point)

@@ -10,9 +10,9 @@ use crate::scalar::Scalar;
 pub struct Contact<S: Scalar> {
     /// From body A to body B.
     pub normal: UnitVec3<S>,
-    /// From the centre of mass of A to the point, in the world's frame.
+    /// From the centre of mass of A to the point, in the world's frame, m.
     pub r_a: Vec3<S>,
-    /// From the centre of mass of B to the point, in the world's frame.
+    /// From the centre of mass of B to the point, in the world's frame, m.
     pub r_b: Vec3<S>,
 }
 
@@ -42,8 +42,8 @@ impl<S: Scalar> Contact<S> {
 /// Which law restitution follows where friction acts with it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum RestitutionLaw {
-    /// v_n' = -e v_n, always. With friction at an eccentric contact this raises the kinetic energy in about one impact
-    /// of a hundred.
+    /// v_n' = -e v_n, always. With friction at an eccentric contact this may raise the kinetic energy: of random impacts
+    /// of everyday bodies, in 0.44 %.
     #[default]
     Newton,
     /// Newton's law, except where it would raise the energy: there the impulse is drawn towards the one without rebound

@@ -55,26 +55,28 @@ errors! {
         NotUnit => "orientation: the quaternion is not of unit length; use `Quat::normalize`",
     }
 
-    /// A dimension of a solid that is not positive and finite.
+    /// A dimension of a solid that is not positive and finite, or with which, in floating point, the volume or a moment
+    /// of inertia leaves the range of normal numbers.
     SolidError {
         /// Of a sphere, capsule, cylinder, cone or tube.
-        Radius => "solid: the radius must be positive and finite",
+        Radius => "solid: the radius, and the volume and moments with it, must be positive and finite",
         /// Of a cuboid.
-        HalfExtent => "solid: each half extent must be positive and finite",
+        HalfExtent => "solid: each half extent, and the volume and moments with it, must be positive and finite",
         /// Of a capsule (where zero is a sphere), cylinder or tube.
-        HalfLength => "solid: the half length must be finite and not negative, of a cylinder positive",
+        HalfLength => "solid: the half length must be finite and not negative, of a cylinder or tube positive",
         /// Of a cone.
-        Height => "solid: the height must be positive and finite",
+        Height => "solid: the height, and the volume and moments with it, must be positive and finite",
         /// Of an ellipsoid.
-        SemiAxis => "solid: each semi-axis must be positive and finite",
+        SemiAxis => "solid: each semi-axis, and the volume and moments with it, must be positive and finite",
     }
 
     /// A mass or inertia that no body has.
     MassError {
-        /// Zero, negative or not finite. A body that cannot move is `Body::immovable`.
-        Mass => "mass: must be positive and finite; an immovable body is `Body::immovable`",
-        /// Zero, negative or not finite.
-        Density => "density: must be positive and finite",
+        /// Zero, negative or not finite, or so with the moments of inertia that go with it. A body that cannot move is
+        /// `Body::immovable`.
+        Mass => "mass: must be positive and finite, and the moments with it; an immovable body is `Body::immovable`",
+        /// Zero, negative or not finite, or so with the mass and the moments of inertia that go with it.
+        Density => "density: must be positive and finite, and the mass and moments with it",
         /// Not symmetric positive definite, or not finite.
         Inertia => "inertia: the tensor must be finite and positive definite",
         /// A principal moment exceeds the sum of the other two.

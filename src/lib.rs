@@ -48,9 +48,10 @@
 //!
 //! # Conventions
 //!
-//! Any consistent units: metres, kilograms and seconds, or centimetres, grams and seconds. Vectors are in the world's
-//! frame unless said otherwise. The normal points from body A to body B, and impulses are given as they act on B. A
-//! quaternion turns the body's frame into the world's. An inverse mass of zero means immovable.
+//! Any consistent units: metres, kilograms and seconds, or centimetres, grams and seconds. Where these pages name units,
+//! they name the SI's as an example; angles are in radians. Vectors are in the world's frame unless said otherwise. The
+//! normal points from body A to body B, and impulses are given as they act on B. A quaternion turns the body's frame into
+//! the world's. An inverse mass of zero means immovable.
 //!
 //! # Errors
 //!

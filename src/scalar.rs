@@ -66,14 +66,17 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
 
     /// `numerator / denominator`, rounded to the nearest: constants without float literals.
     ///
+    /// In f32 and micromath this holds for operands up to 2^24; larger ones are rounded to 24 bits first, and the
+    /// quotient is off by up to two and a half units of its last place.
+    ///
     /// # Errors
     /// [`RangeError`] where the denominator is zero or the quotient beyond the format.
     fn from_ratio(numerator: i32, denominator: i32) -> Result<Self, RangeError>;
 
-    /// `numerator / denominator` seconds as the length of a sub-step: in `[0, 1)`.
+    /// `numerator / denominator` seconds as the length of a sub-step, rounded as by [`from_ratio`](Self::from_ratio).
     ///
     /// # Errors
-    /// [`RangeError`] where the quotient is outside `[0, 1)`.
+    /// [`RangeError`] where the quotient is outside `[0, 1)` once it is rounded: in f32 from about 1 - 2^-23 on.
     fn sub_step(numerator: i32, denominator: i32) -> Result<Self::SubStep, RangeError>;
 
     /// Neither an infinity nor a NaN; always true in fixed point.

@@ -7,8 +7,8 @@ mod exact;
 
 use carom::Body;
 use carom::impulse::{Outcome, apply_impulse, collision_impulse, effective_mass, relative_velocity, resolve_collision};
-use exact::Format;
 use exact::hand::{M, V, add, apply, close, cross, dot, each, length, product, read, transposed};
+use exact::{Format, in_formats};
 use proptest::prelude::*;
 
 /// (1): what B gets, A gives.
@@ -226,27 +226,9 @@ fn immovable_is_the_limit_of_heavy<S: Format>() {
     });
 }
 
-macro_rules! formats {
-    ($($feature:literal, $name:ident, $format:ty;)+) => {$(
-        #[cfg(feature = $feature)]
-        mod $name {
-            type S = $format;
-            formats!(@ step_1_action_and_reaction step_2_linear_velocity step_3_angular_velocity the_tensor_turns
-                step_4_point_velocity step_5_relative_velocity step_6_restitution step_7_points_after step_8_relative_velocity_after
-                step_9_along_the_normal step_10_impulse step_11_triple_product separating_bodies_are_left_alone
-                immovable_is_the_limit_of_heavy);
-        }
-    )+};
-    (@ $($step:ident)+) => {$(
-        #[test]
-        fn $step() {
-            super::$step::<S>();
-        }
-    )+};
-}
-
-formats! {
-    "fixed", i12f20, fixed::types::I12F20;
-    "f32", single, f32;
-    "f64", double, f64;
-}
+in_formats!(derived {
+    step_1_action_and_reaction step_2_linear_velocity step_3_angular_velocity the_tensor_turns step_4_point_velocity
+    step_5_relative_velocity step_6_restitution step_7_points_after step_8_relative_velocity_after
+    step_9_along_the_normal step_10_impulse step_11_triple_product separating_bodies_are_left_alone
+    immovable_is_the_limit_of_heavy
+});

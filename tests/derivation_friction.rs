@@ -6,25 +6,19 @@ mod exact;
 
 use std::cell::Cell;
 
-use carom::impulse::{Impact, Outcome, relative_velocity, resolve_collision_with_friction};
-use carom::{Body, Material, RestitutionLaw};
+use carom::RestitutionLaw;
+use carom::impulse::{Impact, Outcome, relative_velocity};
 use exact::hand::{Hand, Pair, V, add, close, cross, direction, dot, each, length, read};
-use exact::{Case, Format};
+use exact::laws::{Result, rub};
+use exact::{Case, Format, in_formats};
 use proptest::prelude::*;
-
-fn rub<S: Format>(case: &Case<S>, law: RestitutionLaw) -> (Body<S>, Body<S>, Impact<S>) {
-    let material = Material::new(case.restitution, case.friction).expect("a material").with_law(law);
-    let (mut a, mut b) = (case.a, case.b);
-    let impact = resolve_collision_with_friction(&mut a, &mut b, &case.contact, &material);
-    (a, b, impact)
-}
 
 fn impulse<S: Format>(pair: &Pair, impact: &Impact<S>) -> V {
     add(read(impact.friction_impulse), impact.normal_impulse.value().to_f64(), pair.n)
 }
 
-fn after<S: Format>(case: &Case<S>, (a, b): (&Body<S>, &Body<S>)) -> Pair {
-    Pair { a: Hand::read(a, case.contact.r_a), b: Hand::read(b, case.contact.r_b), ..Pair::read(case) }
+fn after<S: Format>(case: &Case<S>, result: &Result<S>) -> Pair {
+    Pair { a: Hand::read(&result.a, case.contact.r_a), b: Hand::read(&result.b, case.contact.r_b), ..Pair::read(case) }
 }
 
 /// The impulse that sticks, by Cramer's rule: W J = -(v_r + e v_n n).
@@ -91,7 +85,7 @@ impl Tangential {
 /// (12): v_r' = v_r + W J for an impulse in any direction; W is symmetric and at least 1/m_a + 1/m_b.
 fn step_12_three_components<S: Format>() {
     each::<S>(|case, pair| {
-        let (a, b, impact) = rub(&case, RestitutionLaw::Newton);
+        let Result { a, b, impact } = rub(&case, RestitutionLaw::Newton);
         let j = impulse(&pair, &impact);
         let expected = add(pair.relative_velocity(), 1.0, pair.yields_to(j));
         prop_assert!(close(read(relative_velocity(&a, &b, &case.contact)), expected, 16.0 * pair.tolerance));
@@ -110,7 +104,7 @@ fn step_13_sticking<S: Format>() {
         let j_n = dot(j, pair.n);
         let across = add(j, -j_n, pair.n);
         let (friction, limit) = (length(across), pair.mu * j_n);
-        let (_, _, impact) = rub(&case, RestitutionLaw::Newton);
+        let impact = rub(&case, RestitutionLaw::Newton).impact;
         if (friction - limit).abs() > 16.0 * pair.tolerance {
             prop_assert_eq!(impact.outcome == Outcome::Stuck, friction < limit, "{} {}", friction, limit);
         }
@@ -133,7 +127,7 @@ fn step_13_sticking<S: Format>() {
 fn step_14_sliding<S: Format>() {
     let [slid, before] = [0, 0].map(Cell::new);
     each::<S>(|case, pair| {
-        let (a, b, impact) = rub(&case, RestitutionLaw::Newton);
+        let Result { a, b, impact } = rub(&case, RestitutionLaw::Newton);
         if impact.outcome != Outcome::Slid || pair.mu == 0.0 {
             return Ok(());
         }
@@ -167,9 +161,9 @@ fn step_14_sliding<S: Format>() {
 /// (15): T' - T = J . (v_r + v_r') / 2, which Newton's e makes positive where friction pushes along the sliding before.
 fn step_15_energy<S: Format>() {
     each::<S>(|case, pair| {
-        let (a, b, impact) = rub(&case, RestitutionLaw::Newton);
-        let j = impulse(&pair, &impact);
-        let end = after(&case, (&a, &b));
+        let result = rub(&case, RestitutionLaw::Newton);
+        let j = impulse(&pair, &result.impact);
+        let end = after(&case, &result);
         let work = 0.5 * dot(j, add(pair.relative_velocity(), 1.0, end.relative_velocity()));
         let slack = 64.0 * pair.tolerance * (1.0 + length(j));
         prop_assert!((end.energy() - pair.energy() - work).abs() <= slack, "{} {work}", end.energy() - pair.energy());
@@ -189,18 +183,18 @@ fn step_16_safe_law<S: Format>() {
         case.b.linear_velocity = carom::Vec3::from_array(add(pair.b.v, -0.8, across).map(S::nearest));
         let pair = Pair::read(&case);
         let slack = 64.0 * pair.tolerance * (1.0 + length(sticking(&pair)));
-        let energy = |(a, b, _): (Body<S>, Body<S>, Impact<S>)| after(&case, (&a, &b)).energy() - pair.energy();
+        let energy = |result: &Result<S>| after(&case, result).energy() - pair.energy();
         let (newton, safe) = (rub(&case, RestitutionLaw::Newton), rub(&case, RestitutionLaw::EnergySafe));
-        let (by_newton, by_safe) = (energy(newton), energy(safe));
+        let (by_newton, by_safe) = (energy(&newton), energy(&safe));
         prop_assert!(by_safe <= slack, "{by_safe}");
         if by_newton > slack {
             gained.set(gained.get() + 1);
             prop_assert!(by_safe >= -slack, "the largest s: {by_safe}");
-            let rebound = dot(after(&case, (&safe.0, &safe.1)).relative_velocity(), pair.n);
+            let rebound = dot(after(&case, &safe).relative_velocity(), pair.n);
             let full = -pair.e * dot(pair.relative_velocity(), pair.n);
             prop_assert!(rebound >= -slack && rebound <= full + slack);
         } else if by_newton < -slack {
-            prop_assert_eq!(newton.0, safe.0);
+            prop_assert_eq!(newton.a, safe.a);
         }
         Ok(())
     });
@@ -208,24 +202,6 @@ fn step_16_safe_law<S: Format>() {
     assert!(gained.get() > 5);
 }
 
-macro_rules! formats {
-    ($($feature:literal, $name:ident, $format:ty;)+) => {$(
-        #[cfg(feature = $feature)]
-        mod $name {
-            type S = $format;
-            formats!(@ step_12_three_components step_13_sticking step_14_sliding step_15_energy step_16_safe_law);
-        }
-    )+};
-    (@ $($step:ident)+) => {$(
-        #[test]
-        fn $step() {
-            super::$step::<S>();
-        }
-    )+};
-}
-
-formats! {
-    "fixed", i12f20, fixed::types::I12F20;
-    "f32", single, f32;
-    "f64", double, f64;
-}
+in_formats!(derived {
+    step_12_three_components step_13_sticking step_14_sliding step_15_energy step_16_safe_law
+});

@@ -16,17 +16,12 @@
 mod exact;
 
 use carom::Vec3;
-use carom::impulse::{Outcome, collision_impulse, resolve_collision};
-use exact::laws::{Result, STORED, beyond, leaves_range, misses, scale};
+use carom::impulse::{Outcome, collision_impulse};
+use exact::laws::{Result, STORED, beyond, bounce, leaves_range, misses, scale};
 use exact::oracle::{Impulse, error};
-use exact::{Case, Exact, Format, Problem, Rng, Worst, assert_share, cases_to_run, random_case, sweep};
+use exact::rotation::matrix;
+use exact::{Case, Exact, Format, Problem, Random, Worst, assert_share, cases_to_run, in_formats, random_case, sweep};
 use num_rational::BigRational;
-
-fn resolve<S: Format>(case: &Case<S>) -> Result<S> {
-    let (mut a, mut b) = (case.a, case.b);
-    let impact = resolve_collision(&mut a, &mut b, &case.contact, case.restitution);
-    Result { a, b, impact }
-}
 
 /// C of the bound, for a precision u of the kernel's intermediate numbers.
 fn constant<S: Format>() -> f64 {
@@ -40,13 +35,13 @@ fn rebound(problem: &Problem) -> (Impulse, Exact) {
     (problem.along_normal(&numerator), numerator)
 }
 
-fn check_formula_10<S: Format>() {
+fn formula_10<S: Format>() {
     let count = cases_to_run(20_000, 1_000_000);
-    let mut rng = Rng::new(10);
+    let mut random = Random::new(10);
     let [mut pure, mut impulse, mut linear, mut angular, mut plain] = [Worst::default(); 5];
     let [mut hits, mut saturated, mut tilted, mut immovable] = [0u64; 4];
     sweep(&S::name(), count, |i| {
-        let case = random_case::<S>(&mut rng);
+        let case = random_case::<S>(&mut random);
         let problem = Problem::read(&case);
         let (k, scales) = (problem.denominator(), problem.scales());
         let tilt = scales.load / k.to_f64();
@@ -64,7 +59,7 @@ fn check_formula_10<S: Format>() {
 
         // The collision, with the velocities.
         let (exact, normal) = rebound(&problem);
-        let result = resolve(&case);
+        let result = bounce(&case);
         let miss = misses(&problem, &result, &exact, &normal);
         impulse.see(miss.impulse, i);
         linear.see(miss.linear, i);
@@ -96,15 +91,15 @@ fn check_formula_10<S: Format>() {
 }
 
 /// The oracle's arithmetic is right: formula (10) once more, letter by letter, in that of `num-rational`.
-fn check_oracle<S: Format>() {
-    let mut rng = Rng::new(1);
+fn oracle_agrees_with_num_rational<S: Format>() {
+    let mut random = Random::new(1);
     let cross = |a: &[BigRational; 3], b: &[BigRational; 3]| {
         [&a[1] * &b[2] - &a[2] * &b[1], &a[2] * &b[0] - &a[0] * &b[2], &a[0] * &b[1] - &a[1] * &b[0]]
     };
     let dot = |a: &[BigRational; 3], b: &[BigRational; 3]| &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2];
     let number = |x: S| x.value().to_rational();
     for i in 0..300 {
-        let case = random_case::<S>(&mut rng);
+        let case = random_case::<S>(&mut random);
         let contact = &case.contact;
         let n = contact.normal.get().to_array().map(|x| S::unit_value(x).to_rational());
         let (mut speed, mut denominator) = (number(S::ZERO), number(S::ZERO));
@@ -128,12 +123,12 @@ fn check_oracle<S: Format>() {
 
 /// The share of the approaching cases in which the bound shows a fault that was put into the result.
 fn shown<S: Format>(fault: impl Fn(&Case<S>, &Problem, &mut Result<S>)) -> f64 {
-    let mut rng = Rng::new(11);
+    let mut random = Random::new(11);
     let [mut tried, mut caught] = [0u32; 2];
     for _ in 0..2_000 {
-        let case = random_case::<S>(&mut rng);
+        let case = random_case::<S>(&mut random);
         let problem = Problem::read(&case);
-        let mut result = resolve(&case);
+        let mut result = bounce(&case);
         if result.impact.outcome != Outcome::Slid || result.impact.saturated {
             continue;
         }
@@ -148,7 +143,7 @@ fn shown<S: Format>(fault: impl Fn(&Case<S>, &Problem, &mut Result<S>)) -> f64 {
 }
 
 /// Faults that were put in on purpose, and that the sweep above sees.
-fn check_faults<S: Format>() {
+fn deliberate_faults_are_seen<S: Format>() {
     let back = |before: Vec3<S>, after: Vec3<S>| before - (after - before);
     let flipped = shown::<S>(|case, _, result| {
         for (body, before) in [(&mut result.a, &case.a), (&mut result.b, &case.b)] {
@@ -179,10 +174,10 @@ fn check_faults<S: Format>() {
         let mut wrong = *case;
         wrong.a.set_orientation(case.a.orientation().conjugate());
         wrong.b.set_orientation(case.b.orientation().conjugate());
-        *result = resolve(&wrong);
+        *result = bounce(&wrong);
     });
     let restitution_subtracted = shown::<S>(|case, _, result| {
-        *result = resolve(&Case { restitution: case.restitution.negated(), ..*case });
+        *result = bounce(&Case { restitution: case.restitution.negated(), ..*case });
     });
     let shares = [
         ("flipped", flipped, 0.9),
@@ -200,17 +195,12 @@ fn check_faults<S: Format>() {
 }
 
 /// The tensor in the world's frame is R I^-1 R^T of the one in the body's frame, within a few units of its 30 bits.
-fn check_world_tensor<S: Format>() {
-    let mut rng = Rng::new(12);
+fn world_tensor<S: Format>() {
+    let mut random = Random::new(12);
     let [mut worst, mut wrong_order] = [Worst::default(); 2];
     for i in 0..5_000 {
-        let case = random_case::<S>(&mut rng);
-        let [w, x, y, z] = case.a.orientation().to_array().map(|c| S::unit_value(c).to_f64());
-        let r = [
-            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
-            [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
-            [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
-        ];
+        let case = random_case::<S>(&mut random);
+        let r = matrix(case.a.orientation().to_array().map(|c| S::unit_value(c).to_f64()));
         let full = |[xx, xy, xz, yy, yz, zz]: [f64; 6]| [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
         let local = full(case.a.inv_inertia_local().map(|x| S::scaled_value(x).to_f64()));
         let world = full(case.a.inv_inertia_world().map(|x| S::scaled_value(x).to_f64()));
@@ -232,42 +222,4 @@ fn check_world_tensor<S: Format>() {
     assert!(wrong_order.value > 0.1);
 }
 
-macro_rules! formats {
-    ($($feature:literal, $name:ident, $format:ty;)+) => {$(
-        #[cfg(feature = $feature)]
-        mod $name {
-            type S = $format;
-
-            #[test]
-            fn formula_10() {
-                super::check_formula_10::<S>();
-            }
-
-            #[test]
-            fn oracle_agrees_with_num_rational() {
-                super::check_oracle::<S>();
-            }
-
-            #[test]
-            fn deliberate_faults_are_seen() {
-                super::check_faults::<S>();
-            }
-
-            #[test]
-            fn world_tensor() {
-                super::check_world_tensor::<S>();
-            }
-        }
-    )+};
-}
-
-formats! {
-    "fixed", i16f16, fixed::types::I16F16;
-    "fixed", i12f20, fixed::types::I12F20;
-    "fixed", i8f24, fixed::types::I8F24;
-    "fixed", i25f7, fixed::types::I25F7;
-    "fixed", i2f30, fixed::types::I2F30;
-    "f32", single, f32;
-    "f64", double, f64;
-    "micromath", micromath_f32, micromath::F32;
-}
+in_formats!(all { formula_10 oracle_agrees_with_num_rational deliberate_faults_are_seen world_tensor });

@@ -8,18 +8,13 @@
 #[path = "support/exact.rs"]
 mod exact;
 
-use carom::impulse::{Impact, Outcome, resolve_collision_with_friction};
-use carom::{Material, Vec3};
-use exact::laws::{FrictionMisses, REPORTED, Result, beyond, friction_misses, scale};
+use carom::impulse::{Impact, Outcome};
+use carom::{RestitutionLaw, Vec3};
+use exact::laws::{FrictionMisses, REPORTED, Result, beyond, friction_misses, rub, scale};
 use exact::oracle::{Impulse, read_vector};
-use exact::{Case, Exact, Format, Problem, Rng, Vector, Worst, assert_share, cases_to_run, random_case, sweep};
-
-fn resolve<S: Format>(case: &Case<S>) -> Result<S> {
-    let material = Material::new(case.restitution, case.friction).expect("a material");
-    let (mut a, mut b) = (case.a, case.b);
-    let impact = resolve_collision_with_friction(&mut a, &mut b, &case.contact, &material);
-    Result { a, b, impact }
-}
+use exact::{
+    Case, Exact, Format, Problem, Random, Vector, Worst, assert_share, cases_to_run, in_formats, random_case, sweep,
+};
 
 /// The bounds, in units of the precision of the kernel's intermediate numbers.
 struct Bounds {
@@ -69,16 +64,16 @@ fn hold<S: Format>(misses: &FrictionMisses) -> bool {
     over_bounds::<S>(misses) <= 1.0
 }
 
-fn check_law<S: Format>() {
+fn contact_law<S: Format>() {
     let count = cases_to_run(20_000, 1_000_000);
-    let mut rng = Rng::new(20);
+    let mut random = Random::new(20);
     let [mut rebound, mut jammed, mut applied, mut stick, mut against, mut cone, mut impulse, mut over] =
         [Worst::default(); 8];
     let [mut stuck, mut slid, mut left_out, mut rough] = [0u64; 4];
     sweep(&S::name(), count, |i| {
-        let case = random_case::<S>(&mut rng);
+        let case = random_case::<S>(&mut random);
         let problem = Problem::read(&case);
-        let result = resolve(&case);
+        let result = rub(&case, RestitutionLaw::Newton);
         match result.impact.outcome {
             // Where the end of the range was met, the law does not hold.
             Outcome::Stuck | Outcome::Slid if result.impact.saturated => return left_out += 1,
@@ -163,12 +158,12 @@ fn exact_vector(v: [f64; 3]) -> Vector {
 /// The share of the sliding cases in which the law shows that the impulse is wrong: `fault` makes one from the tangential
 /// velocity before the impact and the frictionless impulse.
 fn shown<S: Format>(fault: impl Fn(&Case<S>, &Problem, &Result<S>) -> Option<[f64; 3]>) -> f64 {
-    let mut rng = Rng::new(21);
+    let mut random = Random::new(21);
     let [mut tried, mut caught] = [0u32; 2];
     for _ in 0..3_000 {
-        let case = random_case::<S>(&mut rng);
+        let case = random_case::<S>(&mut random);
         let problem = Problem::read(&case);
-        let result = resolve(&case);
+        let result = rub(&case, RestitutionLaw::Newton);
         if result.impact.outcome != Outcome::Slid || result.impact.saturated || problem.friction.is_zero() {
             continue;
         }
@@ -181,7 +176,7 @@ fn shown<S: Format>(fault: impl Fn(&Case<S>, &Problem, &Result<S>) -> Option<[f6
     f64::from(caught) / f64::from(tried)
 }
 
-fn check_faults<S: Format>() {
+fn deliberate_faults_are_seen<S: Format>() {
     let float = |v: &Vector| v.to_f64();
     let sticking = |problem: &Problem| {
         let exact = problem.sticking_impulse();
@@ -251,13 +246,13 @@ fn check_faults<S: Format>() {
 }
 
 /// The check itself accepts the exact sticking impulse, and refuses it with the wrong sign.
-fn check_stick_faults<S: Format>() {
-    let mut rng = Rng::new(22);
+fn faults_in_sticking_are_seen<S: Format>() {
+    let mut random = Random::new(22);
     let [mut tried, mut flipped, mut named] = [0u32; 3];
     for _ in 0..3_000 {
-        let case = random_case::<S>(&mut rng);
+        let case = random_case::<S>(&mut random);
         let problem = Problem::read(&case);
-        let result = resolve(&case);
+        let result = rub(&case, RestitutionLaw::Newton);
         if result.impact.outcome != Outcome::Stuck || result.impact.saturated {
             continue;
         }
@@ -280,33 +275,4 @@ fn check_stick_faults<S: Format>() {
     assert!(f64::from(named) > 0.3 * f64::from(tried));
 }
 
-macro_rules! formats {
-    ($($feature:literal, $name:ident, $format:ty;)+) => {$(
-        #[cfg(feature = $feature)]
-        mod $name {
-            type S = $format;
-
-            #[test]
-            fn contact_law() {
-                super::check_law::<S>();
-            }
-
-            #[test]
-            fn deliberate_faults_are_seen() {
-                super::check_faults::<S>();
-                super::check_stick_faults::<S>();
-            }
-        }
-    )+};
-}
-
-formats! {
-    "fixed", i16f16, fixed::types::I16F16;
-    "fixed", i12f20, fixed::types::I12F20;
-    "fixed", i8f24, fixed::types::I8F24;
-    "fixed", i25f7, fixed::types::I25F7;
-    "fixed", i2f30, fixed::types::I2F30;
-    "f32", single, f32;
-    "f64", double, f64;
-    "micromath", micromath_f32, micromath::F32;
-}
+in_formats!(all { contact_law deliberate_faults_are_seen faults_in_sticking_are_seen });

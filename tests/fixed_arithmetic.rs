@@ -5,7 +5,7 @@
 #[path = "support/random.rs"]
 mod random;
 
-use carom::{Scalar, Scaled, Scaled32};
+use carom::{RangeError, Scalar, Scaled, Scaled32};
 use fixed::FixedI32;
 use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U0, U7, U16, U20, U24, U30};
 use fixed::types::{I2F30, I8F24, I12F20, I16F16};
@@ -207,6 +207,24 @@ fn ratios_and_sub_steps_know_their_range() {
     assert_eq!(I16F16::from_ratio(2, 3).map(I16F16::to_bits), Ok(43691));
     assert!(I16F16::from_ratio(32768, 1).is_err() && I16F16::from_ratio(1, 0).is_err());
     assert!(I16F16::from_ratio(0, 0).is_err());
+    // The lowest number has no positive counterpart; half a unit below it is the end.
+    assert_eq!(I16F16::from_ratio(-32768, 1), Ok(I16F16::MIN));
+    assert_eq!(I16F16::from_ratio(i32::MIN, 65536), Ok(I16F16::MIN));
+    assert_eq!(I16F16::from_ratio(32768, -1), Ok(I16F16::MIN));
+    assert!(I16F16::from_ratio(-32769, 1).is_err() && I16F16::from_ratio(i32::MIN, -65536).is_err());
+    assert_eq!(FixedI32::<U0>::from_ratio(i32::MIN, 1), Ok(FixedI32::MIN));
+    assert_eq!(I2F30::from_ratio(-2, 1), Ok(I2F30::MIN));
+    let mut random = Random::new(13);
+    for _ in 0..100_000 {
+        // Near the lower end: n = -2^11 d, and up to two more or less.
+        let d = 1 + random.below(1 << 19) as i32;
+        let n = -(d << 11) + random.below(5) as i32 - 2;
+        let magnitude = ((2 * i128::from(-n)) << 20) + i128::from(d);
+        let rounded = magnitude / (2 * i128::from(d));
+        let expected = if rounded <= 1 << 31 { Ok(rounded.wrapping_neg() as i32) } else { Err(RangeError) };
+        assert_eq!(I12F20::from_ratio(n, d).map(I12F20::to_bits), expected, "{n}/{d}");
+        assert_eq!(I12F20::from_ratio(-n, -d).map(I12F20::to_bits), expected, "{n}/{d}");
+    }
     assert!(I12F20::from_ratio(2048, 1).is_err() && I12F20::from_ratio(2047, 1).is_ok());
     assert_eq!(I8F24::sub_step(1, 240).map(|h| h.to_bits()), Ok(8947849));
     assert!(I8F24::sub_step(1, 1).is_err() && I8F24::sub_step(-1, 240).is_err());

@@ -1,6 +1,10 @@
 //! The floating-point types: square roots against correctly rounded values, and the ends of the range.
 #![cfg(any(feature = "f32", feature = "micromath", feature = "f64"))]
 
+#[cfg(all(feature = "f32", feature = "f64"))]
+#[path = "support/random.rs"]
+mod random;
+
 use carom::Scalar;
 #[cfg(feature = "f32")]
 use carom::Scaled;
@@ -65,6 +69,11 @@ fn micromath_roots_are_within_their_bound() {
     for (x, y) in table("sqrt") {
         assert!(((Scalar::sqrt(F32(x)).0 - y) / y).abs() < 1e-5, "sqrt {x}");
     }
+    // All the small subnormal numbers and a comb over the others, up to the first normal one.
+    for bits in (1..=4096).chain((4096..=0x0080_0000).step_by(101)) {
+        let x = f32::from_bits(bits);
+        assert!(off(x) < 1e-5, "sqrt {x:e}: off by {:e}", off(x));
+    }
     assert_eq!(Scalar::sqrt(F32(0.0)).0, 0.0);
     assert_eq!(Scalar::sqrt(F32(f32::INFINITY)).0, f32::INFINITY);
     assert!(Scalar::sqrt(F32(-1.0)).0.is_nan() && Scalar::sqrt(F32(f32::NAN)).0.is_nan());
@@ -80,6 +89,43 @@ fn directions_of_very_short_and_very_long_vectors() {
     assert_eq!(f32::normalize3([0.0; 3]), None);
     assert_eq!(f32::normalize3([f32::NAN, 1.0, 1.0]), None);
     assert_eq!(f32::normalize3([f32::INFINITY, 1.0, 1.0]), None);
+}
+
+/// Operands up to 2^24 are exact in f32, and their quotient is rounded once; larger ones are rounded before.
+#[cfg(all(feature = "f32", feature = "f64"))]
+#[test]
+fn ratios_of_f32_are_rounded_once_up_to_2_to_the_24() {
+    let mut random = random::Random::new(17);
+    let mut worst = 0.0f64;
+    for case in 0..200_000 {
+        let bits = if case % 2 == 0 { 8 } else { 1 };
+        let (n, d) = ((random.next() as i32) >> bits, ((random.next() >> 1) as i32 >> (bits - 1)).max(1));
+        let (exact, ratio) = (f64::from(n) / f64::from(d), f32::from_ratio(n, d).expect("a ratio"));
+        if bits == 8 {
+            // In f64 the quotient of 24 bits by 24 bits is too precise for a second rounding to matter.
+            assert_eq!(ratio.to_bits(), (exact as f32).to_bits(), "{n}/{d}");
+        } else {
+            let ulp = f64::from(f32::EPSILON) * exact.abs().log2().floor().exp2();
+            worst = worst.max((f64::from(ratio) - exact).abs() / ulp);
+        }
+    }
+    println!("f32: ratios of operands of 31 bits are off by up to {worst:.2} units");
+    assert!(worst <= 2.5 && worst > 1.5);
+    assert!(f32::sub_step(i32::MAX - 1, i32::MAX).is_err(), "rounds to one");
+    assert!(f64::sub_step(i32::MAX - 1, i32::MAX).is_ok());
+    assert!(f32::sub_step((1 << 24) - 2, (1 << 24) - 1).is_ok());
+}
+
+#[cfg(feature = "f32")]
+#[test]
+fn lengths_keep_their_digits_where_their_squares_are_normal_numbers() {
+    use carom::Vec3;
+    for size in [1.1e-19f32, 1e-10, 1.0, 1e10, 3.6e18] {
+        let length = Vec3::new(3.0 * size, -4.0 * size, 0.0).length();
+        assert!((length / (5.0 * size) - 1.0).abs() < 2.0 * f32::EPSILON, "{size}: {length}");
+    }
+    assert_eq!(Vec3::new(1e-23f32, 0.0, 0.0).length(), 0.0);
+    assert_eq!(Vec3::new(2e19f32, 0.0, 0.0).length(), f32::INFINITY);
 }
 
 #[cfg(feature = "f32")]

@@ -15,23 +15,13 @@ use carom::impulse::{
     resolve_collision_with_friction,
 };
 use carom::{Body, Contact, MassProperties, Material, RestitutionLaw, Scaled, Solid, SymMat3, UnitVec3, Vec3};
+use exact::cases::bits;
 use exact::laws::{Result, leaves_range, misses};
 use exact::strategy::forall;
 use exact::words::{WORDS, Words};
-use exact::{Case, Exact, Format, Problem, assert_share, cases_to_run};
+use exact::{Case, Exact, Format, Problem, assert_share, cases_to_run, in_formats};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
-
-/// The whole state of a body that a caller can read, bit for bit.
-fn bits<S: Format>(body: &Body<S>) -> [u64; 9] {
-    let mut bits = [0; 9];
-    for (i, v) in [body.position, body.linear_velocity, body.angular_velocity].into_iter().enumerate() {
-        for (k, x) in v.to_array().into_iter().enumerate() {
-            bits[3 * i + k] = x.raw();
-        }
-    }
-    bits
-}
 
 #[derive(Default)]
 struct Counts {
@@ -46,7 +36,7 @@ struct Counts {
 
 /// What must hold of any report, whatever went in.
 ///
-/// `wild`: masses that no format leads to, such as 2^(2^27). Only they make fixed point give up.
+/// `wild`: masses that no format leads to, such as 2^(2^20). Only they make fixed point give up.
 fn report_is_true<S: Format>(
     case: &Case<S>,
     (a, b): (&Body<S>, &Body<S>),
@@ -156,12 +146,18 @@ fn constructors<S: Format>(words: &mut Words<'_>) -> TestCaseResult {
         (Solid::capsule(size.x, size.y), positive(size.x) && (positive(size.y) || size.y == S::ZERO)),
         (Solid::cone(size.x, size.y), positive(size.x) && positive(size.y)),
     ] {
-        prop_assert_eq!(solid.is_ok(), valid);
+        // A float may refuse what is valid: where the volume or a moment leaves its range.
+        let refusable = !S::saturates() && !size.to_array().iter().all(|&x| is_moderate(x));
+        let expected = solid.is_ok() == valid || (refusable && solid.is_err());
+        prop_assert!(expected, "valid: {valid}");
         if let Ok(properties) = solid.map_err(|_| ()).and_then(|solid| solid.with_mass(mass).map_err(|_| ())) {
             prop_assert!(positive(mass));
             let body = Body::dynamic(properties);
             prop_assert!(body.inv_mass() > S::Scaled::ZERO && body.inv_mass().is_finite());
             prop_assert!(body.inv_inertia_world().iter().all(|x| x.is_finite()));
+            let [x, _, _, y, _, z] = body.inv_inertia_local();
+            let turns = [x, y, z].into_iter().all(|x| x > S::Scaled::ZERO);
+            prop_assert!(S::saturates() || turns, "the rotation is locked");
         }
     }
     let tensor = SymMat3 {
@@ -187,6 +183,12 @@ fn constructors<S: Format>(words: &mut Words<'_>) -> TestCaseResult {
     Ok(())
 }
 
+/// So far from the ends of a float's range that a fourth power stays within it.
+fn is_moderate<S: Format>(x: S) -> bool {
+    let (size, end) = (x.value_or_nan().abs(), S::largest().sqrt().sqrt() / 8.0);
+    size < end && size > 1.0 / end
+}
+
 trait ValueOrNan {
     fn value_or_nan(self) -> f64;
 }
@@ -197,7 +199,7 @@ impl<S: Format> ValueOrNan for S {
     }
 }
 
-fn fuzz<S: Format>() {
+fn arbitrary_bits<S: Format>() {
     let count = cases_to_run(200_000, 20_000_000);
     let counts = RefCell::new(Counts::default());
     let done = RefCell::new(0u64);
@@ -260,33 +262,7 @@ fn faults_are_seen<S: Format>() {
     assert!(!S::saturates() || seen[1] > 100);
 }
 
-macro_rules! formats {
-    ($($feature:literal, $name:ident, $format:ty;)+) => {$(
-        #[cfg(feature = $feature)]
-        mod $name {
-            type S = $format;
-
-            #[test]
-            fn arbitrary_bits() {
-                super::fuzz::<S>();
-            }
-
-            #[test]
-            fn faults_are_seen() {
-                super::faults_are_seen::<S>();
-            }
-        }
-    )+};
-}
-
-formats! {
-    "fixed", i16f16, fixed::types::I16F16;
-    "fixed", i12f20, fixed::types::I12F20;
-    "fixed", i8f24, fixed::types::I8F24;
-    "f32", single, f32;
-    "f64", double, f64;
-    "micromath", micromath_f32, micromath::F32;
-}
+in_formats!(usual { arbitrary_bits faults_are_seen });
 
 /// Found by the fuzzer: needles struck on the tip, with inverse moments 2^38 times the inverse masses. Rounding leaves the
 /// turned tensor of A with a negative eigenvalue, and K would be negative: the bodies would pull each other.

@@ -3,9 +3,12 @@
 
 #[path = "support/host.rs"]
 mod host;
+#[path = "support/random.rs"]
+mod random;
 
 use carom::{Body, MassError, MassProperties, Quat, Scaled, Solid, SolidError, SymMat3, Vec3};
 use host::HostScalar;
+use random::Random;
 
 /// Runs a generic check in every number type of the features under test.
 macro_rules! in_all {
@@ -238,14 +241,10 @@ fn rotation(q: [f64; 4]) -> Matrix {
 
 /// A reproducible spread of orientations: w, x, y, z of unit length.
 fn orientations() -> Vec<[f64; 4]> {
-    let mut state = 0x2545_f491_4f6c_dd1d_u64;
-    let mut next = move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    };
+    let mut random = Random::new(15);
     let mut all = vec![[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.0, -1.0], [0.5, -0.5, 0.5, 0.5]];
     while all.len() < 1000 {
-        let q = [next(), next(), next(), next()];
+        let q: [f64; 4] = std::array::from_fn(|_| random.between(-1.0, 1.0));
         let length = q.iter().map(|c| c * c).sum::<f64>().sqrt();
         if (0.1..=1.0).contains(&length) {
             all.push(q.map(|c| c / length));
@@ -268,10 +267,17 @@ const PRINCIPAL: [[f64; 3]; 4] = [[3.0, 4.0, 5.0], [1.0, 1.0, 1.9375], [40.0, 40
 
 fn tensors_are_inverted<S: HostScalar>() {
     let mut worst = 0.0_f64;
-    for moments in PRINCIPAL {
+    // Of any size that a float holds: the determinant is of the third power.
+    let sizes: &[f64] = match S::from_f64(1e200) {
+        Some(_) => &[1.0, 1e-250, 1e-105, 1e105, 1e250],
+        None if S::from_f64(1e30).is_some() => &[1.0, 1e-30, 1e-20, 1e-14, 1e12, 1e20, 1e30],
+        None => &[1.0],
+    };
+    for (moments, size) in PRINCIPAL.iter().flat_map(|&moments| sizes.iter().map(move |&size| (moments, size))) {
         for q in orientations() {
             let r = rotation(q);
-            let tensor: SymMat3<S> = symmetric(&product(&product(&r, &diagonal(moments)), &transposed(&r)));
+            let sized = diagonal(moments.map(|x| x * size));
+            let tensor: SymMat3<S> = symmetric(&product(&product(&r, &sized), &transposed(&r)));
             let SymMat3 { xx, xy, xz, yy, yz, zz } = tensor;
             let stored = full([xx, xy, xz, yy, yz, zz].map(S::to_f64));
             let properties = MassProperties::new(number(2.0), tensor).expect("a good tensor");
@@ -284,7 +290,7 @@ fn tensors_are_inverted<S: HostScalar>() {
             let bound = 4.0 * condition * condition * epsilon::<S>();
             let error = largest_difference(&product(&stored, &inverse), &diagonal([1.0; 3]));
             worst = worst.max(error / bound);
-            assert!(error <= bound, "{}, {moments:?}, {q:?}: {error:e} of {bound:e}", name::<S>());
+            assert!(error <= bound, "{}, {moments:?} * {size:e}, {q:?}: {error:e} of {bound:e}", name::<S>());
         }
     }
     println!("{}: {worst:.2} of the bound", name::<S>());
@@ -389,6 +395,72 @@ fn bad_solids<S: HostScalar>() {
 #[test]
 fn bad_dimensions_and_masses_are_named() {
     in_all!(bad_solids);
+}
+
+/// Positive and finite, and still no solid in a float: 10^k and 10^-k are, for k from `cube` on, beyond its range in the
+/// third power, from `square` on in the second.
+#[cfg(any(feature = "f32", feature = "f64", feature = "micromath"))]
+fn beyond_the_float<S: HostScalar>(cube: i32, square: i32) {
+    let power = |k: i32| number::<S>(10f64.powi(k));
+    let one = S::ONE;
+    for sign in [1, -1] {
+        let (cubed, squared) = (power(sign * cube), power(sign * square));
+        for r in [cubed, squared] {
+            assert_eq!(Solid::sphere(r), Err(SolidError::Radius));
+            assert_eq!(Solid::capsule(r, S::ZERO), Err(SolidError::Radius));
+            assert_eq!(Solid::capsule(r, r), Err(SolidError::Radius));
+            assert_eq!(Solid::cylinder(r, r), Err(SolidError::Radius));
+            assert_eq!(Solid::cone(r, r), Err(SolidError::Radius));
+            assert_eq!(Solid::cuboid(Vec3::new(r, r, r)), Err(SolidError::HalfExtent));
+            assert_eq!(Solid::ellipsoid(Vec3::new(r, r, r)), Err(SolidError::SemiAxis));
+        }
+        assert!(Solid::spherical_shell(cubed).is_ok() && Solid::tube(cubed, cubed).is_ok());
+        assert_eq!(Solid::spherical_shell(squared), Err(SolidError::Radius));
+        assert_eq!(Solid::tube(squared, squared), Err(SolidError::Radius));
+    }
+    // One dimension of two.
+    let long = power(square);
+    assert_eq!(Solid::cylinder(long, one), Err(SolidError::Radius));
+    assert_eq!(Solid::cylinder(one, long), Err(SolidError::HalfLength));
+    assert_eq!(Solid::tube(one, long), Err(SolidError::HalfLength));
+    assert_eq!(Solid::capsule(one, long), Err(SolidError::HalfLength));
+    assert_eq!(Solid::cone(one, long), Err(SolidError::Height));
+    assert_eq!(Solid::cuboid(Vec3::new(one, long, one)), Err(SolidError::HalfExtent));
+    assert_eq!(Solid::ellipsoid(Vec3::new(one, one, long)), Err(SolidError::SemiAxis));
+
+    // The product with the mass: of 10^2k/3 and a moment of 10^k/2.
+    for sign in [1, -1] {
+        let k = 2 * square * sign;
+        let solid = Solid::sphere(power(k / 4)).expect("a sphere");
+        assert_eq!(solid.with_mass(power(2 * k / 3)), Err(MassError::Mass));
+        assert_eq!(solid.with_density(power(k / 2)), Err(MassError::Density));
+        let near = Solid::sphere(power(k / 8)).expect("a sphere");
+        assert!(near.with_mass(power(k / 2)).is_ok() && near.with_density(power(k / 4)).is_ok());
+    }
+    // A tensor up to the ends of the range.
+    for sign in [1, -1] {
+        let moment = power(sign * (2 * square - 5));
+        let found = read(MassProperties::new(one, SymMat3::diagonal(moment, moment, moment)).expect("a tensor"));
+        assert_near(found[1], moment.to_f64(), 2.0 * epsilon::<S>(), &name::<S>());
+    }
+    // A moment has all its digits, or there is none: below the normal numbers it would be off by up to a third.
+    for k in -square * 2..-cube {
+        if let Ok(shell) = Solid::<S>::spherical_shell(power(k)) {
+            let right = power(k).to_f64().powi(2) * 2.0 / 3.0;
+            assert_near(S::scaled_to_f64(shell.moments()[0]), right, 4.0 * epsilon::<S>(), &name::<S>());
+        }
+    }
+}
+
+#[cfg(any(feature = "f32", feature = "f64", feature = "micromath"))]
+#[test]
+fn what_a_float_cannot_hold_is_named() {
+    #[cfg(feature = "f32")]
+    beyond_the_float::<f32>(14, 20);
+    #[cfg(feature = "micromath")]
+    beyond_the_float::<micromath::F32>(14, 20);
+    #[cfg(feature = "f64")]
+    beyond_the_float::<f64>(106, 156);
 }
 
 fn bad_tensors<S: HostScalar>() {

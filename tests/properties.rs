@@ -7,46 +7,22 @@
 #[path = "support/exact.rs"]
 mod exact;
 
-use carom::impulse::{Impact, Outcome, resolve_collision, resolve_collision_with_friction};
-use carom::{Body, Material, RestitutionLaw, Vec3};
+use carom::impulse::{Impact, Outcome};
+use carom::{Body, RestitutionLaw, Vec3};
 use exact::balance::{self, angular_momentum, momentum};
-use exact::cases::turn_towards;
-use exact::laws::{REPORTED, Result, friction_misses};
+use exact::cases::{bits, turn_towards};
+use exact::laws::{REPORTED, Result, bounce, friction_misses, rub};
 use exact::oracle::read_vector;
 use exact::strategy::{any_size, everyday, forall, rotations, sketch};
-use exact::{Case, Exact, Format, Problem};
+use exact::{Case, Exact, Format, Problem, in_formats};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
 
 const LAWS: [RestitutionLaw; 2] = [RestitutionLaw::Newton, RestitutionLaw::EnergySafe];
 
-fn rebound<S: Format>(case: &Case<S>) -> Result<S> {
-    let (mut a, mut b) = (case.a, case.b);
-    let impact = resolve_collision(&mut a, &mut b, &case.contact, case.restitution);
-    Result { a, b, impact }
-}
-
-fn rub<S: Format>(case: &Case<S>, law: RestitutionLaw) -> Result<S> {
-    let material = Material::new(case.restitution, case.friction).expect("a material").with_law(law);
-    let (mut a, mut b) = (case.a, case.b);
-    let impact = resolve_collision_with_friction(&mut a, &mut b, &case.contact, &material);
-    Result { a, b, impact }
-}
-
 /// Without friction, and with friction under both laws.
 fn all_ways<S: Format>(case: &Case<S>) -> [Result<S>; 3] {
-    [rebound(case), rub(case, LAWS[0]), rub(case, LAWS[1])]
-}
-
-/// The state of a body, bit for bit.
-fn bits<S: Format>(body: &Body<S>) -> [u64; 9] {
-    let mut bits = [0; 9];
-    for (i, v) in [body.position, body.linear_velocity, body.angular_velocity].into_iter().enumerate() {
-        for (k, x) in v.to_array().into_iter().enumerate() {
-            bits[3 * i + k] = x.raw();
-        }
-    }
-    bits
+    [bounce(case), rub(case, LAWS[0]), rub(case, LAWS[1])]
 }
 
 fn balance_holds<S: Format>(case: &Case<S>, result: &Result<S>) -> TestCaseResult {
@@ -98,7 +74,7 @@ fn rebound_holds<S: Format>(case: &Case<S>, result: &Result<S>) -> TestCaseResul
 }
 
 fn restitution_holds<S: Format>() {
-    forall(2_000, any_size::<S>(), |case| rebound_holds(&case, &rebound(&case)));
+    forall(2_000, any_size::<S>(), |case| rebound_holds(&case, &bounce(&case)));
     forall(1_000, everyday::<S>(), |case| rebound_holds(&case, &rub(&case, RestitutionLaw::Newton)));
 }
 
@@ -260,7 +236,7 @@ fn place_and_axes_do_not_matter<S: Format>() {
         // Each input is rounded anew: a few units of the inputs, times what the impact makes of them.
         let input = 8.0 * S::ulp(4.0) * (1.0 + scales.turn[0].max(scales.turn[1]));
         let gain = scales.load / problem.denominator().to_f64();
-        let (straight, oblique) = (rebound(&case), rebound(&turned));
+        let (straight, oblique) = (bounce(&case), bounce(&turned));
         let difference = differs([&straight, &oblique], &turn);
         let grazing = straight.impact.outcome != oblique.impact.outcome;
         prop_assert!(grazing || difference <= input * gain, "{difference} of {}", input * gain);
@@ -285,7 +261,7 @@ fn faults_are_seen<S: Format>() {
         torque.b.angular_velocity = case.b.angular_velocity - (result.b.angular_velocity - case.b.angular_velocity);
         // Another e.
         let soft = Case { restitution: S::ZERO, ..case };
-        // A thousandth too much friction.
+        // A hundredth too much friction.
         let friction = result.impact.friction_impulse.to_array().map(|x| S::nearest(x.value().to_f64() * 1.01));
         let strong = Impact { friction_impulse: Vec3::from_array(friction), ..result.impact };
         // A zero impulse that still touches the last place of a velocity.
@@ -313,28 +289,7 @@ fn faults_are_seen<S: Format>() {
     assert!(counts.iter().all(|&n| n >= 250), "{counts:?}");
 }
 
-macro_rules! formats {
-    ($($feature:literal, $name:ident, $format:ty;)+) => {$(
-        #[cfg(feature = $feature)]
-        mod $name {
-            type S = $format;
-            formats!(@ momentum_is_kept restitution_holds cone_is_respected swap_mirrors separating_changes_nothing
-                immovable_stays locked_rotation_stays place_and_axes_do_not_matter faults_are_seen);
-        }
-    )+};
-    (@ $($property:ident)+) => {$(
-        #[test]
-        fn $property() {
-            super::$property::<S>();
-        }
-    )+};
-}
-
-formats! {
-    "fixed", i16f16, fixed::types::I16F16;
-    "fixed", i12f20, fixed::types::I12F20;
-    "fixed", i8f24, fixed::types::I8F24;
-    "f32", single, f32;
-    "f64", double, f64;
-    "micromath", micromath_f32, micromath::F32;
-}
+in_formats!(usual {
+    momentum_is_kept restitution_holds cone_is_respected swap_mirrors separating_changes_nothing immovable_stays
+    locked_rotation_stays place_and_axes_do_not_matter faults_are_seen
+});

@@ -6,10 +6,13 @@
 mod host;
 #[path = "support/random.rs"]
 mod random;
+#[path = "support/rotation.rs"]
+mod rotation;
 
 use carom::{DirectionError, OrientationError, Quat, SymMat3, UnitVec3, Vec3};
 use host::HostScalar;
 use random::Random;
+use rotation::matrix;
 
 fn unit3<S: HostScalar>(v: Vec3<S::Unit>) -> [f64; 3] {
     v.to_array().map(S::unit_to_f64)
@@ -60,15 +63,6 @@ fn tangents<S: HostScalar>() {
     }
 }
 
-/// R by its definition, in f64.
-fn matrix([w, x, y, z]: [f64; 4]) -> [[f64; 3]; 3] {
-    [
-        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
-        [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
-        [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
-    ]
-}
-
 fn quaternions<S: HostScalar>() {
     let mut random = Random::new(5);
     let bound = unit_spacing::<S>();
@@ -107,7 +101,8 @@ fn quaternions<S: HostScalar>() {
         let [vx, vy, vz] = v.map(|x| S::from_f64(x).expect("in range"));
         let rotated = q.rotate(Vec3::new(vx, vy, vz)).to_array().map(S::to_f64);
         let exact = [vx, vy, vz].map(S::to_f64);
-        let unit = S::spacing(100.0) + 100.0 * bound;
+        let length = dot(exact, exact).sqrt();
+        let unit = S::spacing(length) + length * bound;
         for (r, row) in rotated.iter().zip(matrix(stored)) {
             worst[3] = worst[3].max((r - dot(row, exact)).abs() / unit);
         }
@@ -119,6 +114,35 @@ fn quaternions<S: HostScalar>() {
         "{}: {worst:?}",
         name::<S>()
     );
+}
+
+/// The square of a quaternion may be far beyond the format of its components: up to 16 where they end at 2, and in floats
+/// anything at all.
+fn quaternions_of_any_length<S: HostScalar>() {
+    let mut random = Random::new(6);
+    let bound = unit_spacing::<S>();
+    let is_fixed = S::spacing(0.0) > 0.0;
+    let sizes: &[f64] = match S::from_f64(1e200) {
+        Some(_) => &[1.99, 1e-200, 1e-150, 1e150, 1e200],
+        None if is_fixed => &[1.99, 1.0, 1e-3],
+        None => &[1.99, 1e-30, 1e-19, 1e19, 1e25, 1e38],
+    };
+    let mut worst = 0f64;
+    for case in 0..5_000 {
+        let signs = std::array::from_fn(|i| if case >> i & 1 == 0 { 1.0 } else { -1.0 });
+        let raw: [f64; 4] = if case < 16 { signs } else { std::array::from_fn(|_| random.between(-1.0, 1.0)) };
+        for size in sizes {
+            let [w, x, y, z] = raw.map(|c| S::unit(c * size));
+            let given = [w, x, y, z].map(|c| S::unit_to_f64(c) / size);
+            let length = given.iter().map(|c| c * c).sum::<f64>().sqrt();
+            let q = Quat::<S>::normalize(w, x, y, z).unwrap_or_else(|e| panic!("{}: {size} {raw:?}: {e}", name::<S>()));
+            for (c, g) in q.to_array().map(S::unit_to_f64).iter().zip(given) {
+                worst = worst.max((c - g / length).abs() / bound);
+            }
+        }
+    }
+    println!("{}: worst units of normalize at any length: {worst:.2}", name::<S>());
+    assert!(worst <= 3.0 + root_error::<S>() / bound, "{}: {worst}", name::<S>());
 }
 
 fn tensors<S: HostScalar>() {
@@ -192,7 +216,7 @@ macro_rules! in_every_type {
 }
 
 mod scalars {
-    in_every_type! { tangents quaternions tensors refusals }
+    in_every_type! { tangents quaternions quaternions_of_any_length tensors refusals }
 }
 
 #[cfg(feature = "f32")]
@@ -202,5 +226,5 @@ fn what_is_not_finite_is_refused_by_name() {
     assert_eq!(UnitVec3::<f32>::new(Vec3::new(nan, 0.0, 1.0)), Err(DirectionError::NotFinite));
     assert_eq!(UnitVec3::<f32>::normalize(Vec3::new(0.0, f32::INFINITY, 1.0)), Err(DirectionError::NotFinite));
     assert_eq!(Quat::<f32>::new(1.0, nan, 0.0, 0.0), Err(OrientationError::NotFinite));
-    assert_eq!(Quat::<f32>::normalize(1.0, 1e30, 0.0, 0.0), Err(OrientationError::NotFinite));
+    assert_eq!(Quat::<f32>::normalize(1.0, f32::INFINITY, 0.0, 0.0), Err(OrientationError::NotFinite));
 }

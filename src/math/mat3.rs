@@ -12,7 +12,8 @@ pub struct Mat3<S> {
 }
 
 impl<S: Scalar> Mat3<S> {
-    /// The matrix times a column vector, each component rounded once.
+    /// The matrix times a column vector. In fixed point each component is rounded once, in floating point each product
+    /// and each sum.
     #[inline]
     #[must_use]
     pub fn times(&self, v: Vec3<S>) -> Vec3<S> {

@@ -32,23 +32,29 @@ impl<S: Scalar> Quat<S> {
         if is_near_one(q.square()) { Ok(q) } else { Err(OrientationError::NotUnit) }
     }
 
-    /// The rotation of a quaternion of any length whose square the format holds; within 3 units of the last place of
-    /// [`Scalar::Unit`].
+    /// The rotation of a quaternion of any length but zero; within 3 units of the last place of [`Scalar::Unit`]
+    /// (`micromath::F32`: 1.6e-6 more, from its root).
     ///
     /// # Errors
     /// [`OrientationError`]: not finite, or zero.
     pub fn normalize(w: S::Unit, x: S::Unit, y: S::Unit, z: S::Unit) -> Result<Self, OrientationError> {
         let q = Self { w, x, y, z };
         q.check()?;
-        let length = q.square().sqrt();
-        if !length.is_finite() {
-            return Err(OrientationError::NotFinite);
-        }
-        if length == S::Scaled::ZERO {
-            return Err(OrientationError::Zero);
-        }
-        let component = |c: S::Unit| S::Unit::from_scaled(c.to_scaled() / length).0;
-        Ok(Self { w: component(w), x: component(x), y: component(y), z: component(z) })
+        let q = q.reduced();
+        Ok(q.divided(q.square().sqrt()))
+    }
+
+    /// The same direction, with a square that neither leaves 64 bits nor the range of a float.
+    fn reduced(self) -> Self {
+        let [w, x, y, z] = self.to_array().map(|c| c.to_scaled().max(-c.to_scaled()));
+        let largest = w.max(x).max(y).max(z);
+        let ordinary = S::Scaled::from_parts(1, -30) <= largest && largest <= S::Scaled::ONE;
+        if ordinary { self } else { self.divided(largest) }
+    }
+
+    fn divided(self, divisor: S::Scaled) -> Self {
+        let [w, x, y, z] = self.to_array().map(|c| S::Unit::from_scaled(c.to_scaled() / divisor).0);
+        Self { w, x, y, z }
     }
 
     fn check(self) -> Result<(), OrientationError> {
@@ -104,6 +110,10 @@ impl<S: Scalar> Quat<S> {
     }
 
     /// A vector of the body's frame in the world's frame.
+    ///
+    /// Each component is within 1.5 (p + u |v|), for the spacing p of numbers of the size of |v| and the spacing u of
+    /// [`Scalar::Unit`] just above one: 2^-30 in fixed point. In fixed point a component beyond the format takes the end
+    /// of its range.
     #[must_use]
     pub fn rotate(self, v: Vec3<S>) -> Vec3<S> {
         let [x, y, z] = self.to_mat3().rows;

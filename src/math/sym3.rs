@@ -31,7 +31,8 @@ impl<S: Scalar> SymMat3<S> {
         Self { xx, xy: S::ZERO, xz: S::ZERO, yy, yz: S::ZERO, zz }
     }
 
-    /// The matrix times a column vector, each component rounded once.
+    /// The matrix times a column vector. In fixed point each component is rounded once, in floating point each product
+    /// and each sum.
     #[inline(always)]
     #[must_use]
     pub fn times(&self, v: Vec3<S>) -> Vec3<S> {

@@ -67,7 +67,9 @@ impl<S: Scalar> UnitVec3<S> {
         Vec3::new(along(self.0.x), along(self.0.y), along(self.0.z))
     }
 
-    /// Two directions that form a right-handed orthonormal frame with this one as the third axis.
+    /// Two directions that form a right-handed orthonormal frame with this one as the third axis: inner products and
+    /// squares of the lengths are within 4 units of the last place of [`Scalar::Unit`], and of what this direction itself
+    /// lacks of unit length, from 0 and 1.
     ///
     /// Duff and others, "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017: one division, no root. The opposite
     /// direction has the same first tangent and the opposite second one, bit for bit.

@@ -162,10 +162,11 @@ where
 
     #[inline]
     fn from_ratio(numerator: i32, denominator: i32) -> Result<Self, RangeError> {
-        match divide(numerator, denominator, Frac::U32) {
-            (bits, false) => Ok(Self::from_bits(bits)),
-            (_, true) => Err(RangeError),
-        }
+        let (bits, clipped) = divide(numerator, denominator, Frac::U32);
+        // The lowest number is one unit farther from zero than `divide` goes: up to 2^31 + 1/2 units round to it.
+        let (n, d) = (numerator.unsigned_abs() as u64, denominator.unsigned_abs() as u64);
+        let is_lowest = bits == i32::MIN && n.wrapping_shl(Frac::U32.wrapping_add(1)) < d.wrapping_mul((1 << 32) + 1);
+        if clipped && !is_lowest { Err(RangeError) } else { Ok(Self::from_bits(bits)) }
     }
 
     #[inline]

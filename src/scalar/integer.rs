@@ -96,7 +96,7 @@ pub(crate) const fn wide_quotient(n: u32, d: u32, shift: u32) -> Option<u32> {
     }
     let wide = (n as u64).wrapping_shl(shift);
     let (n_zeros, d_zeros) = (n.leading_zeros(), d.leading_zeros());
-    // floor(log2) of the quotient, or one less.
+    // floor(log2) of the quotient, or one more.
     let magnitude = shift as i32 + d_zeros as i32 - n_zeros as i32;
     if magnitude > 31 {
         return None;

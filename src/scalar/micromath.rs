@@ -5,18 +5,27 @@ use micromath::F32;
 
 use super::float::float_scalar;
 
-/// Micromath's square root is off by up to 6 %; two Newton steps bring it to less than 1e-5 (1.6e-6 in the worst case
-/// found), at the price of two divisions.
 #[inline]
 fn sqrt(x: F32) -> F32 {
-    // Without its sign bit the number is one whose bits micromath can add to without an overflow check that could fail.
-    let guess = F32::from_bits(x.to_bits() & 0x7fff_ffff).sqrt().0;
     if !(x.0 > 0.0 && x.0 < f32::INFINITY) {
         // Zero, infinity and NaN are their own roots; negative numbers have none.
         return if x.0 < 0.0 { F32::NAN } else { x };
     }
-    let guess = (guess + x.0 / guess) * 0.5;
-    F32((guess + x.0 / guess) * 0.5)
+    if x.0 < f32::MIN_POSITIVE {
+        // Micromath halves the exponent, of which subnormal numbers have none: 2^24 makes them normal.
+        return F32(normal_sqrt(x.0 * 16_777_216.0) * (1.0 / 4096.0));
+    }
+    F32(normal_sqrt(x.0))
+}
+
+/// Micromath's square root is off by up to 6 %; two Newton steps bring it to less than 1e-5 (1.6e-6 in the worst case
+/// found), at the price of two divisions.
+#[inline]
+fn normal_sqrt(x: f32) -> f32 {
+    // Without its sign bit the number is one whose bits micromath can add to without an overflow check that could fail.
+    let guess = F32::from_bits(x.to_bits() & 0x7fff_ffff).sqrt().0;
+    let guess = (guess + x / guess) * 0.5;
+    (guess + x / guess) * 0.5
 }
 
 #[inline(always)]

@@ -67,7 +67,7 @@ pub fn angular_momentum<S: Format>(before: &Side, after: &Side) -> ([Balance; 3]
     (balance, trace * before.inv_inertia.trace().to_f64())
 }
 
-/// Twice the kinetic energy, over a common denominator: m v^2 + w . I w of both bodies that can move.
+/// The kinetic energy: (m v^2 + w . I w)/2 of both bodies that can move, the sums exact.
 pub fn kinetic_energy(problem: &Problem) -> f64 {
     let side = |side: &Side| {
         if side.inv_mass.is_zero() {

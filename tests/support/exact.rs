@@ -7,17 +7,23 @@
 pub mod balance;
 pub mod cases;
 pub mod format;
+pub mod formats;
 pub mod hand;
 pub mod laws;
+pub mod nearest;
 pub mod number;
 pub mod oracle;
+pub mod random;
+pub mod rotation;
 pub mod strategy;
 pub mod words;
 
-pub use cases::{Case, Rng, random_case};
+pub use cases::{Case, random_case};
 pub use format::Format;
+pub(crate) use formats::in_formats;
 pub use number::{Exact, Vector};
 pub use oracle::Problem;
+pub use random::Random;
 
 /// The number of cases of a sweep: `short` in an ordinary run, `long` with `CAROM_LONG=1` in the environment, and with
 /// any other number there, that number.

@@ -1,6 +1,6 @@
 //! Number types as the proof sees them: their bits as exact numbers, and their precision as the bounds use it.
 
-use carom::{Scalar, Scaled};
+use carom::Scalar;
 
 use super::number::Exact;
 
@@ -97,11 +97,12 @@ float_format!(micromath::F32, "micromath", f32, u32, micromath::F32, |x: microma
 
 #[cfg(feature = "fixed")]
 mod fixed_point {
-    use carom::{Scalar, Scaled, Scaled32};
+    use carom::{Scalar, Scaled32};
     use fixed::FixedI32;
     use fixed::types::I2F30;
     use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30};
 
+    use super::super::nearest::nearest_scaled;
     use super::{Exact, Format};
 
     impl<Frac> Format for FixedI32<Frac>
@@ -142,11 +143,7 @@ mod fixed_point {
             I2F30::from_bits((x * 2f64.powi(30)).round() as i32)
         }
         fn nearest_scaled(x: f64) -> Scaled32 {
-            if x == 0.0 {
-                return Scaled32::ZERO;
-            }
-            let exponent = x.abs().log2().floor() as i32 - 29;
-            Scaled32::from_parts((x / f64::from(exponent).exp2()).round() as i32, exponent)
+            nearest_scaled(x)
         }
         fn from_raw(bits: u64) -> Self {
             Self::from_bits(bits as i32)

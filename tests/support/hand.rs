@@ -4,6 +4,7 @@ use carom::{Body, UnitVec3, Vec3};
 
 use super::cases::{Case, turn_towards};
 use super::format::Format;
+use super::rotation::matrix;
 use super::strategy::{everyday, forall};
 
 pub type V = [f64; 3];
@@ -57,12 +58,7 @@ pub struct Hand {
 
 impl Hand {
     pub fn read<S: Format>(body: &Body<S>, arm: Vec3<S>) -> Self {
-        let [w, x, y, z] = body.orientation().to_array().map(|c| S::unit_value(c).to_f64());
-        let rotation = [
-            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
-            [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
-            [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
-        ];
+        let rotation = matrix(body.orientation().to_array().map(|c| S::unit_value(c).to_f64()));
         let [xx, xy, xz, yy, yz, zz] = body.inv_inertia_local().map(|x| S::scaled_value(x).to_f64());
         Self {
             inv_mass: S::scaled_value(body.inv_mass()).to_f64(),

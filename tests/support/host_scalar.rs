@@ -3,7 +3,11 @@
 //! Mounted through `mod host` of the crate's root, which implements the trait: `host.rs` beside this file for the types
 //! of the features under test, the `validate` example for all.
 
-use carom::{Scalar, Scaled};
+#[path = "nearest.rs"]
+mod nearest;
+
+use carom::Scalar;
+use nearest::nearest_scaled;
 
 /// A scalar that can be read from and written to f64.
 pub trait HostScalar: Scalar {
@@ -15,11 +19,7 @@ pub trait HostScalar: Scalar {
     fn unit(x: f64) -> Self::Unit;
     /// The nearest intermediate number, whatever its magnitude.
     fn scaled(x: f64) -> Self::Scaled {
-        if x == 0.0 {
-            return Self::Scaled::ZERO;
-        }
-        let exponent = x.abs().log2().floor() as i32 - 29;
-        Self::Scaled::from_parts((x / f64::from(exponent).exp2()).round() as i32, exponent)
+        nearest_scaled(x)
     }
     /// The exact value.
     fn to_f64(self) -> f64;

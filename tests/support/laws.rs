@@ -4,9 +4,10 @@
 //! |I_b^-1||r_b|^2 and s = |v_a| + |v_b| + |w_a||r_a| + |w_b||r_b|: the size of what is added up on the way. Arithmetic of
 //! precision u cannot be better than a few u of it.
 
-use carom::Body;
-use carom::impulse::{Impact, Outcome};
+use carom::impulse::{Impact, Outcome, resolve_collision, resolve_collision_with_friction};
+use carom::{Body, Material, RestitutionLaw};
 
+use super::cases::Case;
 use super::format::Format;
 use super::number::{Exact, Vector};
 use super::oracle::{Impulse, Problem, Scales, error, read_vector, velocities};
@@ -17,6 +18,21 @@ pub struct Result<S: carom::Scalar> {
     pub a: Body<S>,
     pub b: Body<S>,
     pub impact: Impact<S>,
+}
+
+/// The impact without friction.
+pub fn bounce<S: Format>(case: &Case<S>) -> Result<S> {
+    let (mut a, mut b) = (case.a, case.b);
+    let impact = resolve_collision(&mut a, &mut b, &case.contact, case.restitution);
+    Result { a, b, impact }
+}
+
+/// The impact with friction.
+pub fn rub<S: Format>(case: &Case<S>, law: RestitutionLaw) -> Result<S> {
+    let material = Material::new(case.restitution, case.friction).expect("a material").with_law(law);
+    let (mut a, mut b) = (case.a, case.b);
+    let impact = resolve_collision_with_friction(&mut a, &mut b, &case.contact, &material);
+    Result { a, b, impact }
 }
 
 /// Errors in units of the scale, beyond half a unit of the last place of what is stored.

@@ -6,8 +6,9 @@ use carom::{Body, Contact, MassProperties, Quat, UnitVec3, Vec3};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestCaseResult, TestRunner};
 
-use super::cases::{Case, Rng, random_case};
+use super::cases::{Case, random_case};
 use super::format::Format;
+use super::random::Random;
 
 /// Runs a property over so many cases, the same ones every time.
 pub fn forall<T: Debug>(cases: u32, strategy: impl Strategy<Value = T>, property: impl Fn(T) -> TestCaseResult) {
@@ -113,7 +114,7 @@ pub fn everyday<S: Format>() -> impl Strategy<Value = Case<S>> {
 
 /// Impacts of any size, from a seed.
 pub fn any_size<S: Format>() -> impl Strategy<Value = Case<S>> {
-    any::<u64>().prop_map(|seed| random_case(&mut Rng::new(seed)))
+    any::<u64>().prop_map(|seed| random_case(&mut Random::new(seed)))
 }
 
 pub type Turn<const N: usize> = Box<dyn Fn([f64; N]) -> [f64; N]>;
