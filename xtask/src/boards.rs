@@ -1,6 +1,7 @@
 //! The boards that QEMU emulates for us, the number types, and what each needs to be built.
 
 use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// The compile targets of the boards, and the one of an M33 without an FPU.
@@ -19,7 +20,8 @@ pub const SAMPLE_TARGETS: [&str; 2] = ["thumbv6m-none-eabi", "thumbv7em-none-eab
 pub const FEATURES: [&str; 4] = ["f32", "f64", "fixed", "micromath"];
 
 /// A board in QEMU.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Board {
     /// Cortex-M0, 16 KB of RAM, no divide, no FPU (BBC micro:bit)
     M0,
@@ -73,7 +75,8 @@ impl fmt::Display for Board {
 }
 
 /// A number type, as examples take it after `--scalar`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Scalar {
     /// single precision
     #[value(name = "f32")]
