@@ -7,14 +7,15 @@ mod image;
 mod impacts;
 mod run;
 mod table;
+mod truth;
 
 use crate::boards::{Board, Scalar};
 use crate::setup;
 use anyhow::Result;
-use collect::{Measured, Sizes};
+use collect::{Measured, Sizes, Truths};
 use figures::Figure;
 use flash::Linker;
-use image::{Opt, Recipe};
+use image::{Firmware, OWN, Opt, PEERS, Recipe};
 
 /// What to measure; everything that is not given means all.
 #[derive(clap::Args, Default)]
@@ -28,14 +29,13 @@ pub struct Options {
     /// Only this opt-level (may be given more than once)
     #[arg(long)]
     opt: Vec<Opt>,
+    /// Leave out the other libraries that carom is compared with
+    #[arg(long)]
+    without_peers: bool,
     /// Install what is missing without asking
     #[arg(long)]
     yes: bool,
 }
-
-/// The images of carom's firmware: a feature of it, and the number types that this brings.
-const FAMILIES: [(&str, &[Scalar]); 2] =
-    [("fixed", &[Scalar::I16F16, Scalar::I12F20, Scalar::I8F24]), ("float", &[Scalar::F32, Scalar::Micromath])];
 
 /// Measures and prints.
 pub fn run(options: &Options) -> Result<()> {
@@ -49,36 +49,41 @@ fn measure(options: &Options) -> Result<Vec<Figure>> {
     let toolchain = setup::ensure(options.yes)?;
     let impacts = impacts::all()?;
     let input = impacts::write(&impacts)?;
-    let mut targets: Vec<&'static str> = Board::ALL.iter().map(|board| board.target()).collect();
-    targets.dedup();
+    let truths = Truths::new(&impacts)?;
     let mut figures = Vec::new();
-    for target in targets {
-        let boards: Vec<Board> = wanted(&options.board, Board::ALL).filter(|board| board.target() == target).collect();
-        if boards.is_empty() {
-            continue;
-        }
-        for (feature, scalars) in FAMILIES {
-            let scalars: Vec<Scalar> = wanted(&options.scalar, scalars).collect();
-            if scalars.is_empty() {
-                continue;
-            }
-            for opt in wanted(&options.opt, &Opt::ALL) {
-                let recipe = Recipe { target, feature, opt };
-                eprintln!("bench: {recipe}");
-                let image = recipe.build(&toolchain)?;
-                let mut sizes = Sizes::new(Linker::new(&toolchain, target, &image)?);
-                for &board in &boards {
-                    for &scalar in &scalars {
-                        let found = run::run(&image.elf, board, scalar, &input, &impacts)?;
-                        let measured = Measured { board, scalar, opt, impacts: &impacts, found: &found };
-                        figures.extend(measured.figures(&mut sizes)?);
-                    }
-                }
+    for recipe in recipes(options) {
+        eprintln!("bench: {recipe}");
+        let image = recipe.build(&toolchain)?;
+        let mut sizes = Sizes::new(Linker::new(&toolchain, recipe.target, &image)?);
+        for board in wanted(&options.board, Board::ALL).filter(|board| board.target() == recipe.target) {
+            for scalar in wanted(&options.scalar, recipe.firmware.scalars) {
+                let found = run::run(&image.elf, board, scalar, &input)?;
+                let Recipe { opt, .. } = recipe;
+                let measured = Measured { board, scalar, opt, impacts: &impacts, truths: &truths, found: &found };
+                figures.extend(measured.figures(&mut sizes)?);
             }
         }
     }
-    figures.sort_by(|a, b| a.key.cmp(&b.key));
+    figures.sort_by_cached_key(Figure::order);
     Ok(figures)
+}
+
+/// The images that the options need.
+fn recipes(options: &Options) -> Vec<Recipe> {
+    let mut targets: Vec<&'static str> = wanted(&options.board, Board::ALL).map(Board::target).collect();
+    targets.dedup();
+    let mut firmware: Vec<Firmware> = OWN.into();
+    if !options.without_peers {
+        firmware.push(PEERS);
+    }
+    firmware.retain(|firmware| wanted(&options.scalar, firmware.scalars).next().is_some());
+    let mut recipes = Vec::new();
+    for target in targets {
+        for opt in wanted(&options.opt, &Opt::ALL) {
+            recipes.extend(firmware.iter().map(|&firmware| Recipe { firmware, target, opt }));
+        }
+    }
+    recipes
 }
 
 /// What was asked for, or all.

@@ -114,6 +114,18 @@ impl Scalar {
     }
 }
 
+impl Scalar {
+    /// Bits behind the point, in fixed point.
+    pub fn fraction_bits(self) -> Option<u32> {
+        match self {
+            Scalar::F32 | Scalar::F64 | Scalar::Micromath => None,
+            Scalar::I16F16 => Some(16),
+            Scalar::I12F20 => Some(20),
+            Scalar::I8F24 => Some(24),
+        }
+    }
+}
+
 impl fmt::Display for Scalar {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {

@@ -9,7 +9,7 @@ use crate::operations::Operations;
 ///
 /// - `counter EMPTY TICKS`: what was subtracted; ticks of the counter for a thousand instructions
 /// - `operation NAME INSTRUCTIONS STACK`
-/// - `result WORD...`: of the first impact, the bits of the impulse and of both bodies' velocities
+/// - `result NAME WORD...`: of the first impact without friction and with it, the bits of v_a, w_a, v_b and w_b
 /// - `row INDEX INSTRUCTIONS STACK INSTRUCTIONS STACK`: an impact without friction, and with it
 /// - `skip INDEX`: the number type cannot hold the impact, or what comes of it
 pub fn run<S: Operations>() -> Result<(), &'static str> {
@@ -46,21 +46,28 @@ fn row<S: Operations>(index: u32, start: &Operands<S>) -> Result<(), &'static st
     let resolve = twice(&mut operands, start, S::resolve)?;
     let clipped = operands.impact.saturated;
     if index == 0 {
-        board::print!("result {}", operands.impact.normal_impulse.to_word());
-        for body in [&operands.a, &operands.b] {
-            for vector in [body.linear_velocity, body.angular_velocity] {
-                vector.to_array().iter().for_each(|x| board::print!(" {}", x.to_word()));
-            }
-        }
-        board::println!();
+        result("resolve", &operands);
     }
     let friction = twice(&mut operands, start, S::friction)?;
+    if index == 0 {
+        result("friction", &operands);
+    }
     if clipped || operands.impact.saturated {
         board::println!("skip {index}");
     } else {
         board::println!("row {index} {} {} {} {}", resolve[0], resolve[1], friction[0], friction[1]);
     }
     Ok(())
+}
+
+fn result<S: Operations>(name: &str, operands: &Operands<S>) {
+    board::print!("result {name}");
+    for body in [&operands.a, &operands.b] {
+        for vector in [body.linear_velocity, body.angular_velocity] {
+            vector.to_array().iter().for_each(|x| board::print!(" {}", x.to_word()));
+        }
+    }
+    board::println!();
 }
 
 /// Instructions, then stack: an impact changes its operands, and each measurement begins with the same.

@@ -1,20 +1,42 @@
 //! From what boards printed and the linker said to figures.
 
-use super::figures::{Figure, Key, Spread};
+use super::figures::{Figure, Key, OWN, Spread};
 use super::flash::{Linker, Size};
 use super::image::Opt;
 use super::impacts::{IMMOVABLE, Impact, REFERENCE};
-use super::run::{Cost, Found};
+use super::run::{Cost, Found, Peer, Words};
+use super::truth;
 use crate::boards::{Board, Scalar};
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use std::collections::BTreeMap;
+use std::fmt::Display;
 
-/// Everything that carom's firmware found out in one number type on one board.
+/// What is right for the first impact, without friction and with it.
+pub struct Truths {
+    resolve: [f64; 12],
+    friction: [f64; 12],
+}
+
+impl Truths {
+    pub fn new(impacts: &[Impact]) -> Result<Self> {
+        let reference = &impacts[REFERENCE];
+        Ok(Self { resolve: truth::resolve(reference), friction: truth::stick(reference)? })
+    }
+
+    /// How far a result is from it.
+    fn error(&self, operation: &str, words: &Words, scalar: Scalar) -> f64 {
+        let truth = if operation == "friction" { &self.friction } else { &self.resolve };
+        truth::error(truth, words, scalar)
+    }
+}
+
+/// Everything that a firmware found out in one number type on one board.
 pub struct Measured<'a> {
     pub board: Board,
     pub scalar: Scalar,
     pub opt: Opt,
     pub impacts: &'a [Impact],
+    pub truths: &'a Truths,
     pub found: &'a Found,
 }
 
@@ -29,8 +51,9 @@ impl Sizes {
         Self { linker, known: BTreeMap::new() }
     }
 
-    pub fn of(&mut self, operation: &str, scalar: Scalar) -> Result<Size> {
-        let function = format!("kernel_{operation}_{scalar}");
+    /// `operation` in the number type, or by the library, of that name.
+    fn of(&mut self, operation: &str, name: impl Display) -> Result<Size> {
+        let function = format!("kernel_{operation}_{name}");
         if let Some(size) = self.known.get(&function) {
             return Ok(*size);
         }
@@ -42,35 +65,54 @@ impl Sizes {
 
 impl Measured<'_> {
     pub fn figures(&self, sizes: &mut Sizes) -> Result<Vec<Figure>> {
-        let mut figures = Vec::new();
-        for (operation, cost) in &self.found.operations {
-            figures.push(self.figure(operation, *cost, None, sizes.of(operation, self.scalar)?));
-        }
-        let (resolve, friction) = (sizes.of("resolve", self.scalar)?, sizes.of("friction", self.scalar)?);
-        let rows = &self.found.rows;
-        let [own, immovable] = [REFERENCE, IMMOVABLE].map(|index| rows[index]);
-        let (own, immovable) = own.zip(immovable).context("the number type cannot hold the first impacts")?;
-        figures.push(self.figure("resolve", own[0], None, resolve));
-        figures.push(self.figure("resolve_immovable", immovable[0], None, resolve));
-        figures.push(self.figure("friction", own[1], None, friction));
-        let groups: [(&str, usize, &[&str], Size); 4] = [
-            ("resolve_rows", 0, &["stick", "slip", "frictionless"], resolve),
-            ("friction_stick", 1, &["stick"], friction),
-            ("friction_slip", 1, &["slip"], friction),
-            ("friction_none", 1, &["frictionless"], friction),
-        ];
-        for (operation, which, modes, size) in groups {
-            let (cost, spread) = self.spread(which, modes).context("the number type can hold no row")?;
-            figures.push(self.figure(operation, cost, Some(spread), size));
+        let mut figures = if self.found.rows.is_empty() { Vec::new() } else { self.own(sizes)? };
+        for Peer { name, operation, cost, result } in &self.found.peers {
+            let size = sizes.of(operation, name)?;
+            let error = self.truths.error(operation, result, self.scalar);
+            let figure = self.figure(operation, *cost, size);
+            let key = Key { by: name.clone(), ..figure.key };
+            figures.push(Figure { key, error: Some(error), ..figure });
         }
         Ok(figures)
     }
 
-    fn figure(&self, operation: &str, cost: Cost, spread: Option<Spread>, size: Size) -> Figure {
+    fn own(&self, sizes: &mut Sizes) -> Result<Vec<Figure>> {
+        let rows = &self.found.rows;
+        if rows.len() != self.impacts.len() {
+            bail!("{} measured {} impacts of {}", self.board, rows.len(), self.impacts.len());
+        }
+        let mut figures = Vec::new();
+        for (operation, cost) in &self.found.operations {
+            figures.push(self.figure(operation, *cost, sizes.of(operation, self.scalar)?));
+        }
+        let (resolve, friction) = (sizes.of("resolve", self.scalar)?, sizes.of("friction", self.scalar)?);
+        let (own, immovable) =
+            rows[REFERENCE].zip(rows[IMMOVABLE]).context("the number type cannot hold the first impacts")?;
+        for (operation, cost, size) in [("resolve", own[0], resolve), ("friction", own[1], friction)] {
+            let (_, words) =
+                self.found.results.iter().find(|(name, _)| name == operation).context("a result is missing")?;
+            let error = Some(self.truths.error(operation, words, self.scalar));
+            figures.push(Figure { error, ..self.figure(operation, cost, size) });
+        }
+        figures.push(self.figure("resolve_immovable", immovable[0], resolve));
+        let groups: [(&str, usize, &[&str], Size); 4] = [
+            ("resolve_rows", 0, &["stick", "slip", "frictionless"], resolve),
+            ("friction_none", 1, &["frictionless"], friction),
+            ("friction_stick", 1, &["stick"], friction),
+            ("friction_slip", 1, &["slip"], friction),
+        ];
+        for (operation, which, modes, size) in groups {
+            let (cost, spread) = self.spread(which, modes).context("the number type can hold no row")?;
+            figures.push(Figure { spread: Some(spread), ..self.figure(operation, cost, size) });
+        }
+        Ok(figures)
+    }
+
+    fn figure(&self, operation: &str, cost: Cost, size: Size) -> Figure {
         let Measured { board, scalar, opt, .. } = *self;
-        let key = Key { board, by: "carom".to_owned(), operation: operation.to_owned(), scalar, opt };
+        let key = Key { board, by: OWN.to_owned(), operation: operation.to_owned(), scalar, opt };
         let Cost { instructions, stack } = cost;
-        Figure { key, instructions, spread, flash: size.flash, stack, ram: size.ram }
+        Figure { key, instructions, spread: None, flash: size.flash, stack, ram: size.ram, error: None }
     }
 
     /// The median and the most stack of the table's rows in these modes, and how far they spread.

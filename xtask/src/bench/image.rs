@@ -1,7 +1,9 @@
 //! Building the firmware that measures: one image for a target, an opt-level and a family of number types.
 
+use crate::boards::Scalar;
 use crate::process;
 use crate::toolchain::Toolchain;
+use crate::workspace;
 use anyhow::{Context, Result};
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
@@ -45,11 +47,46 @@ impl fmt::Display for Opt {
     }
 }
 
+/// A program that measures.
+#[derive(Clone, Copy, Debug)]
+pub struct Firmware {
+    package: &'static str,
+    /// The folder of its workspace.
+    workspace: &'static str,
+    feature: Option<&'static str>,
+    /// What it can be asked for.
+    pub scalars: &'static [Scalar],
+}
+
+/// Carom in fixed point, and in floating point.
+pub const OWN: [Firmware; 2] = [
+    Firmware {
+        package: "carom-bench",
+        workspace: ".",
+        feature: Some("fixed"),
+        scalars: &[Scalar::I16F16, Scalar::I12F20, Scalar::I8F24],
+    },
+    Firmware {
+        package: "carom-bench",
+        workspace: ".",
+        feature: Some("float"),
+        scalars: &[Scalar::F32, Scalar::Micromath],
+    },
+];
+
+/// Other libraries.
+pub const PEERS: Firmware = Firmware {
+    package: "carom-bench-peers",
+    workspace: "benches/peers",
+    feature: None,
+    scalars: &[Scalar::F32, Scalar::I16F16],
+};
+
 /// What an image is built from, and for.
 #[derive(Clone, Copy, Debug)]
 pub struct Recipe {
+    pub firmware: Firmware,
     pub target: &'static str,
-    pub feature: &'static str,
     pub opt: Opt,
 }
 
@@ -60,25 +97,27 @@ pub struct Image {
     pub object: PathBuf,
 }
 
-const PACKAGE: &str = "carom-bench";
-
 impl Recipe {
     /// Compiles it. The files stay what they are until the same package is built for the same target and opt-level.
     pub fn build(self, toolchain: &Toolchain) -> Result<Image> {
-        let Recipe { target, feature, opt } = self;
+        let Recipe { firmware: Firmware { package, workspace, feature, .. }, target, opt } = self;
         let mut cargo = toolchain.cargo("rustc", target);
-        cargo.args(["--quiet", "--package", PACKAGE, "--profile", opt.profile(), "--features", feature]);
+        cargo.arg("--manifest-path").arg(workspace::root().join(workspace).join("Cargo.toml"));
+        cargo.args(["--quiet", "--locked", "--package", package, "--profile", opt.profile()]);
+        cargo.args(feature.iter().flat_map(|feature| ["--features", feature]));
         let folder = toolchain.target_dir().join(target).join(opt.profile());
-        let object = folder.join(format!("{PACKAGE}-{feature}.o"));
-        // The linked file, and the very object that it was linked from.
+        let object = folder.join(format!("{package}-{}.o", feature.unwrap_or("all")));
+        // The linked file, and the very object that it was linked from. `memory.x` lies in the root.
         cargo.args(["--", "--emit"]).arg(format!("link,obj={}", object.display()));
+        cargo.arg(format!("-Clink-arg=-L{}", workspace::root().display()));
         process::run(&mut cargo).with_context(|| format!("building {self}"))?;
-        Ok(Image { elf: folder.join(PACKAGE), object })
+        Ok(Image { elf: folder.join(package), object })
     }
 }
 
 impl fmt::Display for Recipe {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {} opt-level {}", self.target, self.feature, self.opt)
+        let Recipe { firmware: Firmware { package, feature, .. }, target, opt } = self;
+        write!(f, "{package} {} for {target} at opt-level {opt}", feature.unwrap_or_default())
     }
 }
