@@ -39,6 +39,17 @@ impl Board {
     /// Every board.
     pub const ALL: &'static [Board] = &[Board::M0, Board::M3, Board::M4f, Board::M7, Board::M33];
 
+    /// Its processor, for people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Board::M0 => "M0",
+            Board::M3 => "M3",
+            Board::M4f => "M4F",
+            Board::M7 => "M7",
+            Board::M33 => "M33",
+        }
+    }
+
     /// The compile target of its firmware.
     pub fn target(self) -> &'static str {
         match self {

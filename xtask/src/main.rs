@@ -97,6 +97,8 @@ enum Action {
     ///
     /// Builds release firmware at opt-level 3, s and z and runs it in QEMU, which counts instructions exactly.
     Bench(bench::Options),
+    /// Draw the tables and the chart of the documentation from the snapshot of the figures, without measuring
+    Chart,
     /// Run clippy for the boards (the host has plain `cargo clippy`)
     Lint(Yes),
 }
@@ -141,6 +143,7 @@ fn run(action: Action) -> Result<ExitCode> {
         }
         Action::Elf(options) => elf::run(&options)?,
         Action::Bench(options) => bench::run(&options)?,
+        Action::Chart => bench::document()?,
         Action::Lint(Yes { yes }) => lint::run(yes)?,
     }
     Ok(ExitCode::SUCCESS)

@@ -77,6 +77,15 @@ impl Toolchain {
         command
     }
 
+    /// What its compiler says of itself.
+    pub fn version(&self) -> Result<String> {
+        let mut rustc = match self {
+            Toolchain::Own => own_rustc(),
+            Toolchain::Debian { rustc, .. } => debian_program(rustc),
+        };
+        Ok(process::stdout_of(rustc.arg("--version")).context("rustc does not run")?.trim_end().to_owned())
+    }
+
     /// The linker, without the compiler: it takes `-flavor gnu` first.
     pub fn linker(&self) -> Result<PathBuf> {
         match self {

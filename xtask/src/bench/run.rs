@@ -62,7 +62,7 @@ fn parse(text: &str) -> Result<Found> {
     for line in text.lines() {
         let words: Vec<&str> = line.split(' ').collect();
         let is_number = |word: &&str| word.bytes().all(|byte| byte.is_ascii_digit());
-        let (names, numbers) = words.split_at(words.iter().position(|word| is_number(word)).unwrap_or(words.len()));
+        let (names, numbers) = words.split_at(words.iter().position(is_number).unwrap_or(words.len()));
         let numbers: Vec<u32> =
             numbers.iter().map(|word| word.parse()).collect::<Result<_, _>>().with_context(|| format!("`{line}`"))?;
         let name = |at: usize| names[at].to_owned();

@@ -1,9 +1,9 @@
 //! The figures for people: one table a board.
 
 use super::figures::{Figure, Key, OWN};
+use super::grid::Grid;
 use super::image::Opt;
 use crate::boards::Board;
-use comfy_table::{CellAlignment, Table, presets};
 
 /// What the figures are, before them.
 pub const HEADER: &str = "\
@@ -27,21 +27,12 @@ pub fn print(figures: &[Figure]) {
     }
 }
 
-fn table(figures: &[&Figure]) -> Table {
-    let mut table = Table::new();
-    table.load_preset(presets::ASCII_MARKDOWN);
+fn table(figures: &[&Figure]) -> String {
     let per_opt = |name: &str| Opt::ALL.map(|opt| format!("{name}{opt}"));
     let names = ["operation", "by", "scalar"].map(str::to_owned).into_iter();
-    let names = names.chain(per_opt("instr. ")).chain(["most".to_owned(), "row".to_owned()]);
-    table.set_header(
-        names
-            .chain(per_opt("flash "))
-            .chain(per_opt("stack "))
-            .chain(["RAM", "error", "of carom's"].map(str::to_owned)),
-    );
-    for column in table.column_iter_mut().skip(3) {
-        column.set_cell_alignment(CellAlignment::Right);
-    }
+    let names = names.chain(per_opt("instr. ")).chain(["most", "row"].map(str::to_owned));
+    let names = names.chain(per_opt("flash ")).chain(per_opt("stack "));
+    let mut table = Grid::new(names.chain(["RAM", "error", "of carom's"].map(str::to_owned)));
     let mut lines: Vec<Vec<&Figure>> = Vec::new();
     for figure in figures {
         let name = |figure: &Figure| (figure.key.operation.clone(), figure.key.by.clone(), figure.key.scalar);
@@ -66,9 +57,9 @@ fn table(figures: &[&Figure]) -> Table {
         cells.push(line.iter().map(|figure| figure.ram).max().unwrap_or_default().to_string());
         cells.push(line[0].error.map_or_else(String::new, |error| format!("{error:.1e}")));
         cells.push(ratio(line[0], figures).map_or_else(String::new, |ratio| format!("{ratio:.2}")));
-        table.add_row(cells);
+        table.row(cells);
     }
-    table
+    table.render()
 }
 
 /// Another library's instructions by carom's for the same.
