@@ -20,9 +20,9 @@ const IMPULSE: &[Line] = &[
 
 const FRICTION: &[Line] = &[
     ("carom f32, sticks", OWN, "friction_stick", Scalar::F32),
-    ("slides", OWN, "friction_slip", Scalar::F32),
+    ("carom f32, slides", OWN, "friction_slip", Scalar::F32),
     ("carom I16F16, sticks", OWN, "friction_stick", Scalar::I16F16),
-    ("slides", OWN, "friction_slip", Scalar::I16F16),
+    ("carom I16F16, slides", OWN, "friction_slip", Scalar::I16F16),
     ("embedded-3dgfx f32", "embedded-3dgfx", "friction", Scalar::F32),
 ];
 
@@ -41,10 +41,10 @@ const COLUMN: f64 = WIDTH / 2.0;
 /// Room for names, and for the number behind the longest line.
 const LEFT: f64 = 150.0;
 const RIGHT: f64 = 60.0;
-const TOP: f64 = 82.0;
+const TOP: f64 = 84.0;
 const ROW: f64 = 18.0;
-const PANEL: f64 = ROW * IMPULSE.len() as f64 + 40.0;
-const HEIGHT: f64 = TOP + PANEL * BOARDS.len() as f64 + 18.0;
+const PANEL: f64 = ROW * IMPULSE.len() as f64 + 56.0;
+const HEIGHT: f64 = TOP + PANEL * BOARDS.len() as f64;
 
 /// Colours for light pages, and for dark ones.
 const STYLE: &str = "\
@@ -65,13 +65,24 @@ pub fn svg(snapshot: &Snapshot) -> String {
          role=\"img\">\n<title>Instructions for one impulse, by board and number format</title>\n<style>\n{STYLE}</style>\n"
     );
     svg += &text(10.0, 20.0, "title", "start", "Instructions for one impulse between two bodies");
-    let note = "Counted by QEMU, not cycles; opt-level 3; logarithmic scale. With friction: medians of measured rows.";
+    let note =
+        "Counted by QEMU, not cycles; opt-level 3; logarithmic scale. With friction: medians of a few hundred impacts.";
     svg += &text(10.0, 38.0, "note", "start", note);
+    for (place, (_, name)) in BOARDS.into_iter().enumerate() {
+        let y = TOP + place as f64 * PANEL;
+        svg += &format!(
+            "<line class=\"grid\" x1=\"10\" y1=\"{:.1}\" x2=\"{:.1}\" y2=\"{:.1}\"/>\n",
+            y - 14.0,
+            WIDTH - 10.0,
+            y - 14.0
+        );
+        svg += &text(10.0, y + 3.0, "board", "start", name);
+    }
     for (index, (title, lines)) in COLUMNS.into_iter().enumerate() {
         let scale = Scale::new(snapshot, lines, index as f64 * COLUMN);
-        svg += &text(scale.left - LEFT + 10.0, 62.0, "board", "start", title);
-        for (place, (board, name)) in BOARDS.into_iter().enumerate() {
-            svg += &panel(snapshot, lines, board, name, &scale, TOP + place as f64 * PANEL);
+        svg += &text(scale.left, 62.0, "board", "start", title);
+        for (place, (board, _)) in BOARDS.into_iter().enumerate() {
+            svg += &panel(snapshot, lines, board, &scale, TOP + place as f64 * PANEL);
         }
     }
     svg + "</svg>\n"
@@ -101,16 +112,17 @@ impl Scale {
     }
 }
 
-fn panel(snapshot: &Snapshot, lines: &[Line], board: Board, name: &str, scale: &Scale, top: f64) -> String {
-    let bottom = top + ROW * IMPULSE.len() as f64 + 14.0;
+fn panel(snapshot: &Snapshot, lines: &[Line], board: Board, scale: &Scale, top: f64) -> String {
+    let bottom = top + ROW * IMPULSE.len() as f64 + 16.0;
     let mut svg = String::new();
     for power in scale.from..=scale.to {
         let x = scale.place(10_f64.powi(power));
-        svg +=
-            &format!("<line class=\"grid\" x1=\"{x:.1}\" y1=\"{:.1}\" x2=\"{x:.1}\" y2=\"{bottom:.1}\"/>\n", top + 6.0);
+        svg += &format!(
+            "<line class=\"grid\" x1=\"{x:.1}\" y1=\"{:.1}\" x2=\"{x:.1}\" y2=\"{bottom:.1}\"/>\n",
+            top + 12.0
+        );
         svg += &text(x, bottom + 12.0, "tick", "middle", &grouped(10_u32.pow(power.unsigned_abs())));
     }
-    svg += &text(scale.left - 8.0, top + 10.0, "board", "end", name);
     for (place, line) in lines.iter().enumerate() {
         let y = top + 24.0 + ROW * place as f64;
         let Some(instructions) = find(snapshot, board, line) else { continue };
