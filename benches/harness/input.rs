@@ -63,7 +63,7 @@ fn fill(slots: &mut [Number], numbers: &mut impl Iterator<Item = Option<Number>>
 /// Ten hexadecimal digits: eight of the mantissa, two of the exponent, both in two's complement.
 fn number(text: &str) -> Option<Number> {
     let (mantissa, exponent) = text.split_at_checked(8)?;
-    let mantissa = u32::from_str_radix(mantissa, 16).ok()?.cast_signed();
-    let exponent = u8::from_str_radix(exponent, 16).ok()?.cast_signed();
-    Some(Number { mantissa, exponent: exponent.into() })
+    let mantissa = u32::from_str_radix(mantissa, 16).ok()?;
+    let exponent = u8::from_str_radix(exponent, 16).ok()?;
+    Some(Number { mantissa: mantissa as i32, exponent: (exponent as i8).into() })
 }
