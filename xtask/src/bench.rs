@@ -109,23 +109,37 @@ impl Options {
     }
 }
 
+/// Every figure that the options ask for. The opt-levels go side by side: each compiles into a folder of its own, mostly
+/// on one core, and counts do not depend on how fast QEMU is.
 fn measure(options: &Options, toolchain: &Toolchain) -> Result<Vec<Figure>> {
     let impacts = impacts::all()?;
     let input = impacts::write(&impacts)?;
     let truths = Truths::new(&impacts)?;
-    let mut figures = Vec::new();
-    for recipe in recipes(options) {
+    let recipes = recipes(options);
+    let image = |recipe: &Recipe| -> Result<Vec<Figure>> {
         eprintln!("bench: {recipe}");
         let image = recipe.build(toolchain)?;
         let mut sizes = Sizes::new(Linker::new(toolchain, recipe.target, &image)?);
+        let mut figures = Vec::new();
         for board in wanted(&options.board, Board::ALL).filter(|board| board.target() == recipe.target) {
             for scalar in wanted(&options.scalar, recipe.firmware.scalars) {
                 let found = run::run(&image.elf, board, scalar, &input)?;
-                let Recipe { opt, .. } = recipe;
-                let measured = Measured { board, scalar, opt, impacts: &impacts, truths: &truths, found: &found };
+                let measured =
+                    Measured { board, scalar, opt: recipe.opt, impacts: &impacts, truths: &truths, found: &found };
                 figures.extend(measured.figures(&mut sizes)?);
             }
         }
+        Ok(figures)
+    };
+    let level = |opt: Opt| recipes.iter().filter(|recipe| recipe.opt == opt).map(&image).collect::<Result<Vec<_>>>();
+    let level = &level;
+    let levels = std::thread::scope(|scope| {
+        let threads = Opt::ALL.map(|opt| scope.spawn(move || level(opt)));
+        threads.map(|thread| thread.join().expect("a thread of the benchmark panicked"))
+    });
+    let mut figures = Vec::new();
+    for level in levels {
+        figures.extend(level?.into_iter().flatten());
     }
     figures.sort_by_cached_key(Figure::order);
     Ok(figures)
