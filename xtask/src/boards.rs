@@ -1,6 +1,7 @@
 //! The boards that QEMU emulates for us, the number types, and what each needs to be built.
 
 use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// The compile targets of the boards, and the one of an M33 without an FPU.
@@ -19,7 +20,8 @@ pub const SAMPLE_TARGETS: [&str; 2] = ["thumbv6m-none-eabi", "thumbv7em-none-eab
 pub const FEATURES: [&str; 4] = ["f32", "f64", "fixed", "micromath"];
 
 /// A board in QEMU.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Board {
     /// Cortex-M0, 16 KB of RAM, no divide, no FPU (BBC micro:bit)
     M0,
@@ -36,6 +38,17 @@ pub enum Board {
 impl Board {
     /// Every board.
     pub const ALL: &'static [Board] = &[Board::M0, Board::M3, Board::M4f, Board::M7, Board::M33];
+
+    /// Its processor, for people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Board::M0 => "M0",
+            Board::M3 => "M3",
+            Board::M4f => "M4F",
+            Board::M7 => "M7",
+            Board::M33 => "M33",
+        }
+    }
 
     /// The compile target of its firmware.
     pub fn target(self) -> &'static str {
@@ -73,7 +86,8 @@ impl fmt::Display for Board {
 }
 
 /// A number type, as examples take it after `--scalar`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Scalar {
     /// single precision
     #[value(name = "f32")]
@@ -107,6 +121,18 @@ impl Scalar {
             Scalar::F64 => "f64",
             Scalar::I16F16 | Scalar::I12F20 | Scalar::I8F24 => "fixed",
             Scalar::Micromath => "micromath",
+        }
+    }
+}
+
+impl Scalar {
+    /// Bits behind the point, in fixed point.
+    pub fn fraction_bits(self) -> Option<u32> {
+        match self {
+            Scalar::F32 | Scalar::F64 | Scalar::Micromath => None,
+            Scalar::I16F16 => Some(16),
+            Scalar::I12F20 => Some(20),
+            Scalar::I8F24 => Some(24),
         }
     }
 }

@@ -33,7 +33,7 @@ pub fn run(yes: bool) -> Result<()> {
         let size = flash_size(&elf)?;
         println!("   running on {board}, {size} bytes of code and constants:\n");
 
-        let run = qemu::Run { example: EXAMPLE, elf: &elf, board, scalar, arguments: &[], limit: LIMIT };
+        let run = qemu::Run { example: EXAMPLE, elf: &elf, board, scalar, arguments: &[], limit: LIMIT, icount: None };
         let (board_status, board_text) = run.capture()?;
         std::io::stdout().write_all(&board_text)?;
         let (host_status, host_text) = host::capture(&program, scalar, &[], LIMIT)?;

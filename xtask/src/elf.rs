@@ -7,6 +7,7 @@ mod rules;
 mod tests;
 mod thumb;
 
+use crate::bench::image::{self as bench_image, Firmware, Opt, Recipe};
 use crate::boards::{Board, FEATURES, TARGETS};
 use crate::firmware::{Build, Profile};
 use crate::process;
@@ -19,10 +20,13 @@ use graph::Graph;
 use image::Image;
 use std::path::Path;
 
+/// Stands for the benchmark's firmware among the examples.
+const BENCH: &str = "bench";
+
 /// What to check; everything that is not given means all.
 #[derive(clap::Args, Default)]
 pub struct Options {
-    /// One example instead of all
+    /// One example instead of all; `bench` is the benchmark's firmware
     #[arg(long)]
     example: Option<String>,
     /// One target instead of those of all boards
@@ -44,17 +48,22 @@ pub fn run(options: &Options) -> Result<()> {
     let toolchain = setup::ensure(options.yes)?;
     self_test(&toolchain)?;
     let examples = match &options.example {
+        Some(example) if example == BENCH => Vec::new(),
         Some(example) => vec![example.clone()],
         None => workspace::board_examples()?,
     };
+    let with_bench = options.example.as_deref().is_none_or(|example| example == BENCH);
     let mut repeats = Vec::new();
     // Without being asked only what some board runs.
     let on_a_board = |target: &str| Board::ALL.iter().any(|board| board.target() == target);
     let wanted = |target: &str| options.target.as_deref().map_or(on_a_board(target), |one| one == target);
     for target in TARGETS.into_iter().filter(|target| wanted(target)) {
+        if with_bench && options.profile.is_none_or(|profile| profile == Profile::Release) {
+            repeats.extend(check_bench(&toolchain, target, options.feature.as_deref())?);
+        }
         for feature in FEATURES.into_iter().filter(|&one| options.feature.as_deref().unwrap_or(one) == one) {
             for profile in [Profile::Release, Profile::Checked] {
-                if options.profile.unwrap_or(profile) == profile {
+                if !examples.is_empty() && options.profile.unwrap_or(profile) == profile {
                     repeats.extend(check_build(&toolchain, Build { target, feature, profile }, &examples)?);
                 }
             }
@@ -66,16 +75,35 @@ pub fn run(options: &Options) -> Result<()> {
     Ok(())
 }
 
+/// The benchmark's firmware holds every function of the kernel, and is built for size as well as for speed. Returns the
+/// command for each image that failed.
+fn check_bench(toolchain: &Toolchain, target: &'static str, feature: Option<&str>) -> Result<Vec<String>> {
+    let mut repeats = Vec::new();
+    let brings = |firmware: &Firmware| {
+        feature.is_none_or(|feature| firmware.scalars.iter().any(|scalar| scalar.feature() == feature))
+    };
+    for firmware in bench_image::OWN.into_iter().filter(brings) {
+        for opt in Opt::ALL {
+            let recipe = Recipe { firmware, target, opt };
+            let file = recipe.build(toolchain)?.elf;
+            let fixed = firmware.scalars.iter().all(|scalar| scalar.fraction_bits().is_some());
+            let found = check_file(&file, fixed, target)?;
+            print_found(&format!("  {recipe}"), &found);
+            if !found.is_empty() {
+                repeats.push(format!("cargo xtask elf --example {BENCH} --target {target}"));
+            }
+        }
+    }
+    Ok(repeats)
+}
+
 /// Builds the examples once and checks each; returns the command for each that failed.
 fn check_build(toolchain: &Toolchain, build: Build, examples: &[String]) -> Result<Vec<String>> {
     let files = build.run(toolchain, examples)?;
     let mut repeats = Vec::new();
     for (example, file) in examples.iter().zip(files) {
-        let found = check_file(&file, build)?;
-        println!("  {build:<42} {example:<16} {}", if found.is_empty() { "fine" } else { "FAILED" });
-        for line in &found {
-            println!("    {line}");
-        }
+        let found = check_file(&file, build.feature == "fixed", build.target)?;
+        print_found(&format!("  {build:<42} {example}"), &found);
         if !found.is_empty() {
             let Build { target, feature, profile } = build;
             repeats.push(format!(
@@ -86,11 +114,17 @@ fn check_build(toolchain: &Toolchain, build: Build, examples: &[String]) -> Resu
     Ok(repeats)
 }
 
-/// Everything that is wrong with one firmware.
-fn check_file(file: &Path, build: Build) -> Result<Vec<String>> {
+fn print_found(what: &str, found: &[String]) {
+    println!("{what:<62} {}", if found.is_empty() { "fine" } else { "FAILED" });
+    for line in found {
+        println!("    {line}");
+    }
+}
+
+/// Everything that is wrong with one firmware; `fixed` where it computes in fixed point only.
+fn check_file(file: &Path, fixed: bool, target: &str) -> Result<Vec<String>> {
     let bytes = std::fs::read(file).with_context(|| format!("reading {}", file.display()))?;
-    let fixed = build.feature == "fixed";
-    check(&bytes, fixed, fixed && build.target.ends_with("hf"))
+    check(&bytes, fixed, fixed && target.ends_with("hf"))
 }
 
 /// Everything that is wrong with one firmware. `no_floats`: no float routine may be in it; `no_fpu`: carom's functions

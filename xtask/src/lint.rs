@@ -5,7 +5,8 @@ use crate::process;
 use crate::setup;
 use anyhow::Result;
 
-/// Runs clippy on the library and the examples, for every number type; a warning is an error.
+/// Runs clippy on the library and the examples, for every number type, and on the benchmark's firmware; a warning is an
+/// error.
 pub fn run(yes: bool) -> Result<()> {
     let toolchain = setup::ensure_clippy(yes)?;
     for target in SAMPLE_TARGETS {
@@ -15,6 +16,10 @@ pub fn run(yes: bool) -> Result<()> {
             cargo.args(["--quiet", "--lib", "--examples", "--no-default-features", "--features", feature]);
             process::run(cargo.args(["--", "-D", "warnings"]))?;
         }
+        println!("clippy: {target} benches");
+        let mut cargo = toolchain.cargo("clippy", target);
+        cargo.args(["--quiet", "--package", "carom-bench", "--all-features", "--", "-D", "warnings"]);
+        process::run(&mut cargo)?;
     }
     Ok(())
 }

@@ -1,5 +1,6 @@
 //! carom's driver: `cargo xtask COMMAND`.
 
+mod bench;
 mod boards;
 mod cases;
 mod demo;
@@ -92,6 +93,12 @@ enum Action {
     /// Follows the calls from every function of carom, and from every `kernel_...` function of an example. Without
     /// options it builds and checks every example for every target and number type in both profiles.
     Elf(elf::Options),
+    /// Count what carom's operations cost on the boards: instructions, flash, stack
+    ///
+    /// Builds release firmware at opt-level 3, s and z and runs it in QEMU, which counts instructions exactly.
+    Bench(bench::Options),
+    /// Draw the tables and the chart of the documentation from the snapshot of the figures, without measuring
+    Chart,
     /// Run clippy for the boards (the host has plain `cargo clippy`)
     Lint(Yes),
 }
@@ -127,7 +134,7 @@ fn run(action: Action) -> Result<ExitCode> {
             let build = Build { target: board.target(), feature: scalar.feature(), profile: Profile::Release };
             let elf = &build.run(&toolchain, std::slice::from_ref(&example))?[0];
             let limit = Duration::from_secs(timeout);
-            let run = qemu::Run { example: &example, elf, board, scalar, arguments: &args, limit };
+            let run = qemu::Run { example: &example, elf, board, scalar, arguments: &args, limit, icount: None };
             return Ok(status(run.stream()?));
         }
         Action::Host { example, scalar, timeout, args } => {
@@ -135,6 +142,8 @@ fn run(action: Action) -> Result<ExitCode> {
             return Ok(status(host::stream(program, scalar, &args, Duration::from_secs(timeout))?));
         }
         Action::Elf(options) => elf::run(&options)?,
+        Action::Bench(options) => bench::run(&options)?,
+        Action::Chart => bench::document()?,
         Action::Lint(Yes { yes }) => lint::run(yes)?,
     }
     Ok(ExitCode::SUCCESS)

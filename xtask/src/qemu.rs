@@ -23,6 +23,8 @@ pub struct Run<'a> {
     pub scalar: Scalar,
     pub arguments: &'a [String],
     pub limit: Duration,
+    /// Virtual time of one instruction, as a power of two in nanoseconds; without it, time is this machine's.
+    pub icount: Option<u32>,
 }
 
 impl Run<'_> {
@@ -58,6 +60,9 @@ impl Run<'_> {
     fn command(self) -> Result<Command> {
         let mut qemu = Command::new(QEMU);
         qemu.args(self.board.qemu_machine());
+        if let Some(shift) = self.icount {
+            qemu.args(["-icount", &format!("shift={shift}")]);
+        }
         // No window, no serial line, no prompt: QEMU leaves the terminal alone, and Ctrl-C ends it.
         qemu.args(["-display", "none", "-serial", "none", "-monitor", "none"]);
         let mut semihosting = "enable=on,target=native".to_owned();

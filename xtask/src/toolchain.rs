@@ -1,6 +1,8 @@
 //! The compiler that firmware is built with: the user's own, or Debian's with a private sysroot.
 
+use crate::process;
 use crate::workspace;
+use anyhow::{Context, Result};
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -63,7 +65,7 @@ impl Toolchain {
         let mut command;
         match self {
             Toolchain::Own => {
-                command = Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));
+                command = own_rustc();
             }
             Toolchain::Debian { rustc, linker, sysroot, .. } => {
                 command = debian_program(rustc);
@@ -75,6 +77,46 @@ impl Toolchain {
         command
     }
 
+    /// What its compiler says of itself.
+    pub fn version(&self) -> Result<String> {
+        let mut rustc = match self {
+            Toolchain::Own => own_rustc(),
+            Toolchain::Debian { rustc, .. } => debian_program(rustc),
+        };
+        Ok(process::stdout_of(rustc.arg("--version")).context("rustc does not run")?.trim_end().to_owned())
+    }
+
+    /// The linker, without the compiler: it takes `-flavor gnu` first.
+    pub fn linker(&self) -> Result<PathBuf> {
+        match self {
+            Toolchain::Own => {
+                let libraries = self.library_folder(None)?;
+                Ok(libraries.with_file_name("bin").join(format!("rust-lld{}", std::env::consts::EXE_SUFFIX)))
+            }
+            Toolchain::Debian { linker, .. } => Ok(linker.clone()),
+        }
+    }
+
+    /// A library that comes with the compiler, compiled for `target`.
+    pub fn library(&self, target: &str, name: &str) -> Result<PathBuf> {
+        let folder = self.library_folder(Some(target))?;
+        let start = format!("lib{name}-");
+        let files = std::fs::read_dir(&folder).with_context(|| format!("reading {}", folder.display()))?;
+        let mut paths = files.flatten().map(|file| file.path());
+        let wanted = |path: &PathBuf| {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            name.starts_with(&start) && name.ends_with(".rlib")
+        };
+        paths.find(wanted).with_context(|| format!("there is no {name} in {}", folder.display()))
+    }
+
+    /// `lib/rustlib/TARGET/lib`, by default for this machine.
+    fn library_folder(&self, target: Option<&str>) -> Result<PathBuf> {
+        let mut rustc = target.map_or_else(own_rustc, |target| self.rustc(target));
+        let folder = process::stdout_of(rustc.args(["--print", "target-libdir"])).context("rustc has no libraries")?;
+        Ok(PathBuf::from(folder.trim_end()))
+    }
+
     /// Where its output goes: two compilers in one folder would rebuild each other's work for ever.
     pub fn target_dir(&self) -> PathBuf {
         match self {
@@ -82,6 +124,10 @@ impl Toolchain {
             Toolchain::Debian { .. } => workspace::target_dir().join("debian"),
         }
     }
+}
+
+fn own_rustc() -> Command {
+    Command::new(std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
 }
 
 /// A program of Debian's toolchain, run in the repository's root. When rustup's cargo runs us, the environment speaks

@@ -63,7 +63,7 @@ impl Job {
     fn compare(&self, board: Board, elf: &Path, expected: &[u8]) -> Result<()> {
         let Job { example, scalar, arguments, .. } = self;
         let start = Instant::now();
-        let run = qemu::Run { example, elf, board, scalar: *scalar, arguments, limit: LIMIT };
+        let run = qemu::Run { example, elf, board, scalar: *scalar, arguments, limit: LIMIT, icount: None };
         let tail = self.tail();
         let again = format!("cargo xtask qemu {example} --board {board} --scalar {scalar}{tail}");
         let (status, text) = run.capture().with_context(|| format!("repeat with `{again}`"))?;

@@ -1,0 +1,14 @@
+//! Measures one call at a time on a board in QEMU: instructions, stack.
+//!
+//! Mounted by each benchmark firmware as `mod harness` beside `mod board` (`examples/board`).
+//!
+//! What is called takes up to four pointers and returns nothing, so that operands and results lie in memory, and it is
+//! called from hand-written assembly: the optimiser sees neither who calls nor what is done with the results.
+
+mod call;
+pub mod counter;
+pub mod input;
+pub mod stack;
+
+pub use call::Call;
+pub(crate) use call::call;

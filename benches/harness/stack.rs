@@ -1,0 +1,57 @@
+//! How deep a call goes: the stack below it is painted, and what is no longer paint was used.
+
+use super::Call;
+
+/// What is painted: far more than any operation takes, far less than the RAM that is left.
+const DEPTH: usize = 6 * 1024;
+
+core::arch::global_asm!(
+    ".section .text.bench_stack, \"ax\"",
+    ".syntax unified",
+    ".global bench_stack",
+    ".type bench_stack, %function",
+    ".thumb_func",
+    "bench_stack:",
+    "push {{r4, r5, r6, lr}}",
+    "mov r6, r0",
+    // From `sp - depth` up to the stack pointer that the function is called with.
+    "mov r4, sp",
+    "subs r4, r4, r1",
+    "mov r5, r4",
+    "ldr r2, =0xC5A35AC3",
+    "2: str r2, [r5]",
+    "adds r5, #4",
+    "cmp r5, sp",
+    "blo 2b",
+    "ldr r5, [r6, #16]",
+    "ldr r0, [r6, #0]",
+    "ldr r1, [r6, #4]",
+    "ldr r2, [r6, #8]",
+    "ldr r3, [r6, #12]",
+    "blx r5",
+    // The lowest word that is no longer paint.
+    "ldr r2, =0xC5A35AC3",
+    "3: cmp r4, sp",
+    "bhs 4f",
+    "ldr r3, [r4]",
+    "cmp r3, r2",
+    "bne 4f",
+    "adds r4, #4",
+    "b 3b",
+    "4: mov r0, sp",
+    "subs r0, r0, r4",
+    "pop {{r4, r5, r6, pc}}",
+    ".pool",
+    ".size bench_stack, . - bench_stack",
+);
+
+unsafe extern "C" {
+    fn bench_stack(call: *const Call, depth: usize) -> usize;
+}
+
+/// Bytes of stack that a call uses below the stack pointer it is called with. `None` when it used all that was painted.
+pub fn bytes(call: &Call) -> Option<u32> {
+    // SAFETY: what is painted lies below every frame in use; else as for `counter::instructions`.
+    let bytes = unsafe { bench_stack(call, DEPTH) };
+    (bytes < DEPTH).then_some(bytes as u32)
+}

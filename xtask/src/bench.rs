@@ -1,0 +1,199 @@
+//! `cargo xtask bench`: what operations cost on the boards.
+
+mod chart;
+mod check;
+mod collect;
+mod document;
+mod figures;
+mod flash;
+mod grid;
+pub mod image;
+mod impacts;
+mod markdown;
+mod run;
+mod snapshot;
+mod table;
+mod truth;
+
+use crate::boards::{Board, Scalar};
+use crate::setup;
+use crate::toolchain::Toolchain;
+use anyhow::{Result, bail};
+use collect::{Measured, Sizes, Truths};
+use figures::{Figure, Key};
+use flash::Linker;
+use image::{Firmware, OWN, Opt, PEERS, Recipe};
+use snapshot::Snapshot;
+
+/// What to measure; everything that is not given means all.
+#[derive(clap::Args, Default)]
+pub struct Options {
+    /// Only this board (may be given more than once)
+    #[arg(long)]
+    board: Vec<Board>,
+    /// Only this number type (may be given more than once)
+    #[arg(long)]
+    scalar: Vec<Scalar>,
+    /// Only this opt-level (may be given more than once)
+    #[arg(long)]
+    opt: Vec<Opt>,
+    /// Leave out the other libraries that carom is compared with
+    #[arg(long)]
+    without_peers: bool,
+    /// Print JSON instead of tables
+    #[arg(long)]
+    json: bool,
+    /// Keep the figures as the snapshot in benches/, and bring the tables and the chart of the documentation up to date
+    #[arg(long, conflicts_with_all = ["board", "scalar", "opt", "without_peers", "check"])]
+    save: bool,
+    /// Fail where a figure rose by more than 2 % over the snapshot, or the snapshot is out of date
+    ///
+    /// Figures depend on the compiler: with another one than the snapshot's, differences are printed only.
+    #[arg(long)]
+    check: bool,
+    /// Install what is missing without asking
+    #[arg(long)]
+    yes: bool,
+}
+
+/// Measures, prints, and does with the figures what the options say.
+pub fn run(options: &Options) -> Result<()> {
+    let toolchain = setup::ensure(options.yes)?;
+    let snapshot = Snapshot { rustc: toolchain.version()?, figures: measure(options, &toolchain)? };
+    if options.json {
+        print!("{}", snapshot.to_json()?);
+    } else {
+        println!("{}\n{}", snapshot.rustc, table::HEADER);
+        table::print(&snapshot.figures);
+    }
+    if options.save {
+        snapshot.write()?;
+        document::write(&snapshot)?;
+        eprintln!("bench: saved {} figures", snapshot.figures.len());
+    }
+    if options.check {
+        let mut saved = Snapshot::read()?;
+        document::check(&saved)?;
+        saved.figures.retain(|figure| options.ask_for(&figure.key));
+        judge(&saved, &snapshot)?;
+    }
+    Ok(())
+}
+
+/// Tables and chart of the documentation from the snapshot, without measuring.
+pub fn document() -> Result<()> {
+    document::write(&Snapshot::read()?)
+}
+
+/// An error where the figures are not those of the snapshot, unless another compiler made them.
+fn judge(saved: &Snapshot, measured: &Snapshot) -> Result<()> {
+    let found = check::compare(&saved.figures, &measured.figures);
+    for line in &found {
+        eprintln!("bench: {line}");
+    }
+    if saved.rustc != measured.rustc {
+        eprintln!("bench: not judged: the snapshot is of {}, these figures of {}", saved.rustc, measured.rustc);
+    } else if !found.is_empty() {
+        bail!("{} figures differ from the snapshot (if they are meant to: `cargo xtask bench --save`)", found.len());
+    }
+    Ok(())
+}
+
+impl Options {
+    /// Whether such figures are measured.
+    fn ask_for(&self, key: &Key) -> bool {
+        let in_list = wanted(&self.board, &[key.board]).count() > 0
+            && wanted(&self.scalar, &[key.scalar]).count() > 0
+            && wanted(&self.opt, &[key.opt]).count() > 0;
+        in_list && !(self.without_peers && key.by != figures::OWN)
+    }
+}
+
+/// Every figure that the options ask for. The opt-levels go side by side: each compiles into a folder of its own, mostly
+/// on one core, and counts do not depend on how fast QEMU is.
+fn measure(options: &Options, toolchain: &Toolchain) -> Result<Vec<Figure>> {
+    let impacts = impacts::all()?;
+    let input = impacts::write(&impacts)?;
+    let truths = Truths::new(&impacts)?;
+    let recipes = recipes(options);
+    let image = |recipe: &Recipe| -> Result<Vec<Figure>> {
+        eprintln!("bench: {recipe}");
+        let image = recipe.build(toolchain)?;
+        let mut sizes = Sizes::new(Linker::new(toolchain, recipe.target, &image)?);
+        let mut figures = Vec::new();
+        for board in wanted(&options.board, Board::ALL).filter(|board| board.target() == recipe.target) {
+            for scalar in wanted(&options.scalar, recipe.firmware.scalars) {
+                let found = run::run(&image.elf, board, scalar, &input)?;
+                let measured =
+                    Measured { board, scalar, opt: recipe.opt, impacts: &impacts, truths: &truths, found: &found };
+                figures.extend(measured.figures(&mut sizes)?);
+            }
+        }
+        Ok(figures)
+    };
+    let level = |opt: Opt| recipes.iter().filter(|recipe| recipe.opt == opt).map(&image).collect::<Result<Vec<_>>>();
+    let level = &level;
+    let levels = std::thread::scope(|scope| {
+        let threads = Opt::ALL.map(|opt| scope.spawn(move || level(opt)));
+        threads.map(|thread| thread.join().expect("a thread of the benchmark panicked"))
+    });
+    let mut figures = Vec::new();
+    for level in levels {
+        figures.extend(level?.into_iter().flatten());
+    }
+    figures.sort_by_cached_key(Figure::order);
+    Ok(figures)
+}
+
+/// The images that the options need.
+fn recipes(options: &Options) -> Vec<Recipe> {
+    let mut targets: Vec<&'static str> = wanted(&options.board, Board::ALL).map(Board::target).collect();
+    targets.dedup();
+    let mut firmware: Vec<Firmware> = OWN.into();
+    if !options.without_peers {
+        firmware.push(PEERS);
+    }
+    firmware.retain(|firmware| wanted(&options.scalar, firmware.scalars).next().is_some());
+    let mut recipes = Vec::new();
+    for target in targets {
+        for opt in wanted(&options.opt, &Opt::ALL) {
+            let here = firmware.iter().filter(|firmware| opt == Opt::Speed || firmware.for_size_on(target));
+            recipes.extend(here.map(|&firmware| Recipe { firmware, target, opt }));
+        }
+    }
+    recipes
+}
+
+/// What was asked for, or all.
+fn wanted<T: Copy + PartialEq>(asked: &[T], all: &[T]) -> impl Iterator<Item = T> {
+    all.iter().copied().filter(move |one| asked.is_empty() || asked.contains(one))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn snapshot(rustc: &str, instructions: u32) -> Snapshot {
+        let json = format!(
+            r#"{{"board":"m3","by":"carom","operation":"dot","scalar":"f32","opt":"3","instructions":{instructions},
+                "flash":1,"stack":0,"ram":0}}"#
+        );
+        Snapshot { rustc: rustc.to_owned(), figures: vec![serde_json::from_str(&json).expect("a figure")] }
+    }
+
+    #[test]
+    fn another_compiler_is_not_judged() {
+        assert!(judge(&snapshot("rustc 1", 100), &snapshot("rustc 1", 100)).is_ok());
+        assert!(judge(&snapshot("rustc 1", 100), &snapshot("rustc 1", 110)).is_err());
+        assert!(judge(&snapshot("rustc 1", 110), &snapshot("rustc 1", 100)).is_err());
+        assert!(judge(&snapshot("rustc 1", 100), &snapshot("rustc 2", 110)).is_ok());
+    }
+
+    #[test]
+    fn a_snapshot_is_read_as_it_is_written() {
+        let snapshot = snapshot("rustc 1", 100);
+        let text = snapshot.to_json().expect("it can be written");
+        assert_eq!(serde_json::from_str::<Snapshot>(&text).expect("it can be read"), snapshot);
+        assert_eq!(text.lines().count(), 6);
+    }
+}

@@ -1,0 +1,105 @@
+//! Figures against the snapshot: none may rise, and one that fell is to be saved, or it could rise again unseen.
+
+use super::figures::{Figure, Key};
+
+/// What a figure may differ by: a new version of a dependency may move an instruction here or there.
+const TOLERANCE: f64 = 0.02;
+
+/// Everything that is wrong, a line each.
+pub fn compare(saved: &[Figure], measured: &[Figure]) -> Vec<String> {
+    let mut found = Vec::new();
+    for old in saved {
+        match measured.iter().find(|new| new.key == old.key) {
+            Some(new) => found.extend(changes(old, new).map(|change| format!("{}: {change}", name(&old.key)))),
+            None => found.push(format!("{}: in the snapshot, but not measured any more", name(&old.key))),
+        }
+    }
+    let is_new = |figure: &&Figure| saved.iter().all(|old| old.key != figure.key);
+    found.extend(measured.iter().filter(is_new).map(|new| format!("{}: not in the snapshot", name(&new.key))));
+    found
+}
+
+fn name(Key { board, by, operation, scalar, opt }: &Key) -> String {
+    format!("{board} {by} {operation} {scalar} opt-level {opt}")
+}
+
+fn changes(old: &Figure, new: &Figure) -> impl Iterator<Item = String> {
+    let max = |figure: &Figure| figure.spread.as_ref().map_or(figure.instructions, |spread| spread.max);
+    let numbers = [
+        ("instructions", old.instructions, new.instructions),
+        ("most instructions", max(old), max(new)),
+        ("bytes of flash", old.flash, new.flash),
+        ("bytes of stack", old.stack, new.stack),
+        ("bytes of RAM", old.ram, new.ram),
+    ];
+    let changes = numbers.into_iter().filter_map(|(what, old, new)| {
+        let share = (f64::from(new) - f64::from(old)) / f64::from(old);
+        // Nothing from nothing is no change.
+        let share = if old == new { 0.0 } else { share };
+        let word = if share > TOLERANCE {
+            "rose"
+        } else if share < -TOLERANCE {
+            "fell and is not saved"
+        } else {
+            return None;
+        };
+        Some(format!("{what} {word}: {old} -> {new} ({:+.1} %)", 100.0 * share))
+    });
+    let error = (old.error != new.error).then(|| format!("the error changed: {:?} -> {:?}", old.error, new.error));
+    changes.chain(error)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bench::figures::Spread;
+    use crate::bench::image::Opt;
+    use crate::boards::{Board, Scalar};
+
+    fn figure(instructions: u32) -> Figure {
+        let key = Key {
+            board: Board::M0,
+            by: "carom".to_owned(),
+            operation: "dot".to_owned(),
+            scalar: Scalar::F32,
+            opt: Opt::Speed,
+        };
+        Figure { key, instructions, spread: None, flash: 100, stack: 8, ram: 0, error: None }
+    }
+
+    #[track_caller]
+    fn finds(saved: &[Figure], measured: &[Figure], expected: &[&str]) {
+        let found = compare(saved, measured);
+        assert_eq!(found.len(), expected.len(), "{found:?}");
+        assert!(found.iter().zip(expected).all(|(line, part)| line.contains(part)), "{found:?}");
+    }
+
+    #[test]
+    fn two_percent_are_nothing() {
+        finds(&[figure(100)], &[figure(100)], &[]);
+        finds(&[figure(100)], &[figure(102)], &[]);
+        finds(&[figure(100)], &[figure(98)], &[]);
+    }
+
+    #[test]
+    fn more_is_told() {
+        finds(
+            &[figure(100)],
+            &[figure(103)],
+            &["m0 carom dot f32 opt-level 3: instructions rose: 100 -> 103 (+3.0 %)", "most"],
+        );
+        finds(&[figure(100)], &[Figure { flash: 104, ..figure(100) }], &["bytes of flash rose"]);
+        finds(&[figure(100)], &[Figure { ram: 4, ..figure(100) }], &["bytes of RAM rose: 0 -> 4"]);
+        let spread = |max| Some(Spread { min: 1, max, worst: "7".to_owned(), rows: 2, skipped: 0 });
+        let [old, new] = [100, 110].map(|max| Figure { spread: spread(max), ..figure(50) });
+        finds(&[old], &[new], &["most instructions rose"]);
+    }
+
+    #[test]
+    fn a_stale_snapshot_is_told() {
+        finds(&[figure(100)], &[figure(97)], &["instructions fell and is not saved", "most"]);
+        finds(&[figure(100)], &[], &["not measured any more"]);
+        finds(&[], &[figure(100)], &["not in the snapshot"]);
+        finds(&[figure(100)], &[Figure { error: Some(1e-6), ..figure(100) }], &["the error changed"]);
+    }
+}
