@@ -81,20 +81,33 @@ where
     let down = (down as u32).min(31);
     let half = (1u32.wrapping_shl(down) >> 1) as i32;
     // All products before the first branch: behind one, the compiler no longer sees that a factor has 32 bits.
-    let high = [(product(d[0], k) >> 32) as i32, (product(d[1], k) >> 32) as i32, (product(d[2], k) >> 32) as i32];
-    let change = high.map(|high| high.wrapping_add(half).wrapping_shr(down));
-    let mut clipped = false;
-    let mut add = |x: &mut FixedI32<Frac>, change: i32| match x.to_bits().checked_add(change) {
-        Some(bits) => *x = FixedI32::from_bits(bits),
-        None => {
-            clipped = true;
-            *x = end_towards(change);
-        }
-    };
-    add(&mut x.x, change[0]);
-    add(&mut x.y, change[1]);
-    add(&mut x.z, change[2]);
-    clipped
+    let change = [
+        rounded(product(d[0], k), half, down),
+        rounded(product(d[1], k), half, down),
+        rounded(product(d[2], k), half, down),
+    ];
+    let bits = bits_of(x);
+    let Some(x0) = bits[0].checked_add(change[0]) else { return add_clipped(x, change) };
+    let Some(x1) = bits[1].checked_add(change[1]) else { return add_clipped(x, change) };
+    let Some(x2) = bits[2].checked_add(change[2]) else { return add_clipped(x, change) };
+    *x = Vec3::new(FixedI32::from_bits(x0), FixedI32::from_bits(x1), FixedI32::from_bits(x2));
+    false
+}
+
+/// The upper half of a product, moved right and rounded.
+#[inline(always)]
+const fn rounded(product: i64, half: i32, down: u32) -> i32 {
+    ((product >> 32) as i32).wrapping_add(half).wrapping_shr(down)
+}
+
+/// `x + change`, where a component meets the end of the range.
+#[cold]
+#[inline(never)]
+fn add_clipped<Frac>(x: &mut Vec3<FixedI32<Frac>>, change: [i32; 3]) -> bool {
+    for (x, change) in [&mut x.x, &mut x.y, &mut x.z].into_iter().zip(change) {
+        *x = FixedI32::from_bits(x.to_bits().saturating_add(change));
+    }
+    true
 }
 
 /// The nearest number to one of 2^29 units of the last place and more.
@@ -106,13 +119,6 @@ where
 {
     let (bits, clipped) = clip(x.to_bits(Frac::I32));
     (FixedI32::from_bits(bits), clipped)
-}
-
-/// The end of the range with that sign.
-#[cold]
-#[inline(never)]
-fn end_towards<Frac>(sign: i32) -> FixedI32<Frac> {
-    FixedI32::from_bits(if sign < 0 { i32::MIN } else { i32::MAX })
 }
 
 /// The same for changes of 2^26 units of the last place and more.
@@ -283,7 +289,7 @@ where
 
     #[inline(always)]
     fn blend(levers: [&Lever32; 3], factors: [I2F30; 3]) -> Lever32 {
-        Lever32::blend(levers, factors.map(I2F30::to_bits))
+        Lever32::blend(levers, [factors[0].to_bits(), factors[1].to_bits(), factors[2].to_bits()])
     }
 
     #[inline(always)]
@@ -293,7 +299,8 @@ where
         d: [&Vec3<I2F30>; 2],
         levers: [&Lever32; 2],
     ) -> Scaled32 {
-        lever32::parting_speed(v.map(bits_of), w.map(bits_of), d, levers, Frac::I32)
+        let (v, w) = ([bits_of(v[0]), bits_of(v[1])], [bits_of(w[0]), bits_of(w[1])]);
+        lever32::parting_speed(v, w, d, levers, Frac::I32)
     }
 
     #[inline(always)]

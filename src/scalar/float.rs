@@ -17,6 +17,15 @@ macro_rules! float_scalar {
         use super::float::FloatLever;
         use $crate::math::{SymMat3, Vec3};
 
+        impl FloatLever<$float> {
+            /// v . d + w . c
+            #[inline(always)]
+            fn speed(&self, v: &Vec3<$float>, w: &Vec3<$float>, d: &Vec3<$float>) -> $float {
+                let c = &self.cross;
+                v.x * d.x + v.y * d.y + v.z * d.z + w.x * c.x + w.y * c.y + w.z * c.z
+            }
+        }
+
         impl $crate::scalar::Scalar for $float {
             type Unit = Self;
             type Scaled = Self;
@@ -148,9 +157,11 @@ macro_rules! float_scalar {
             #[inline(always)]
             fn blend(levers: [&Self::Lever; 3], factors: [Self; 3]) -> Self::Lever {
                 let [a, b, c] = levers;
-                let sum =
-                    |a: Vec3<Self>, b: Vec3<Self>, c: Vec3<Self>| a * factors[0] + b * factors[1] + c * factors[2];
-                FloatLever { cross: sum(a.cross, b.cross, c.cross), turn: sum(a.turn, b.turn, c.turn) }
+                let [i, j, k] = factors;
+                FloatLever {
+                    cross: a.cross * i + b.cross * j + c.cross * k,
+                    turn: a.turn * i + b.turn * j + c.turn * k,
+                }
             }
 
             #[inline(always)]
@@ -160,11 +171,7 @@ macro_rules! float_scalar {
                 d: [&Vec3<Self>; 2],
                 levers: [&Self::Lever; 2],
             ) -> Self {
-                let along = |i: usize| {
-                    let (v, d, w, c) = (v[i], d[i], w[i], levers[i].cross);
-                    v.x * d.x + v.y * d.y + v.z * d.z + w.x * c.x + w.y * c.y + w.z * c.z
-                };
-                along(0) + along(1)
+                levers[0].speed(v[0], w[0], d[0]) + levers[1].speed(v[1], w[1], d[1])
             }
 
             #[inline(always)]

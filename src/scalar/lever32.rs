@@ -1,9 +1,9 @@
 //! Levers in fixed point: blocks of three 32-bit mantissas under one power of two.
 //!
-//! An arm is moved left until it fills 30 bits, whatever its format, and everything that follows from it is the upper part
-//! of 64-bit sums of products. Nothing here can leave its range: |c| < 2^28.8 for c = r x d, and |u| < 2^28.8 for
-//! u = I^-1 c, since the trace of a tensor's block is at most 2^29. Sums are cut off, not rounded: 2^-28 of |r| and
-//! |I^-1||r|.
+//! An arm is moved left until it fills 31 bits, whatever its format, and everything that follows from it is the upper part
+//! of 64-bit sums of products. Nothing here can leave its range: |c| < 2^29.8 for c = r x d, and |u| < 2^29.8 for
+//! u = I^-1 c, since the trace of a tensor's block is at most 2^29. Sums are cut off, not rounded: at 2^-28 of |r| and
+//! 2^-27 of |I^-1||r|, or less.
 
 use fixed::FixedI32;
 use fixed::types::I2F30;
@@ -74,9 +74,9 @@ impl Lever32 {
         // x ^ (x >> 31) is |x| for this purpose, without its exception at the lowest number.
         let magnitude = (r[0] ^ (r[0] >> 31)) | (r[1] ^ (r[1] >> 31)) | (r[2] ^ (r[2] >> 31));
         let places = (magnitude | 1).leading_zeros().wrapping_sub(1);
-        let r = r.map(|x| x.wrapping_shl(places));
+        let r = [r[0].wrapping_shl(places), r[1].wrapping_shl(places), r[2].wrapping_shl(places)];
         let d = bits(d);
-        let m = d.map(i32::wrapping_neg);
+        let m = [d[0].wrapping_neg(), d[1].wrapping_neg(), d[2].wrapping_neg()];
         // On three cores of five there is no multiply-and-subtract: products with -d are added instead.
         let c = [
             narrow::<32>(product(r[1], d[2]).wrapping_add(product(r[2], m[1]))),
@@ -106,9 +106,13 @@ impl Lever32 {
     /// The sum of the columns u of three levers of one arm, times factors within +-1/2.
     #[inline(never)]
     pub(super) fn blend(levers: [&Self; 3], factors: [i32; 3]) -> Self {
-        let [a, b, c] = levers.map(|lever| lever.turn);
-        // Below 3 * 2^28.8 * 2^29.
-        let turn = [0, 1, 2].map(|i| narrow::<30>(dot([a[i], b[i], c[i]], factors)));
+        let [a, b, c] = [&levers[0].turn, &levers[1].turn, &levers[2].turn];
+        // Below 3 * 2^29.8 * 2^29.
+        let turn = [
+            narrow::<30>(dot([a[0], b[0], c[0]], factors)),
+            narrow::<30>(dot([a[1], b[1], c[1]], factors)),
+            narrow::<30>(dot([a[2], b[2], c[2]], factors)),
+        ];
         Self { turn, ..*levers[0] }
     }
 
@@ -158,50 +162,67 @@ pub(super) fn parting_speed(
 #[inline(never)]
 fn far_parting_speed(linear: i64, turned: [i64; 2], levers: [&Lever32; 2], frac: i32) -> Scaled32 {
     let exponent = (-30i32).wrapping_sub(frac);
-    let [a, b] = [0, 1].map(|i| Scaled32::new(turned[i], exponent.wrapping_add(levers[i].cross_exponent)));
+    let a = Scaled32::new(turned[0], exponent.wrapping_add(levers[0].cross_exponent));
+    let b = Scaled32::new(turned[1], exponent.wrapping_add(levers[1].cross_exponent));
     Scaled32::new(linear, exponent) + (a + b)
+}
+
+/// `mantissa` moved to the exponent `top`, from one below it.
+#[inline(always)]
+const fn lowered((mantissa, exponent): (u32, i32), top: i32) -> u32 {
+    let down = top.wrapping_sub(exponent) as u32;
+    mantissa.wrapping_shr(if down > 31 { 31 } else { down })
 }
 
 /// Four numbers of at most 30 bits, with exponents, added up.
 #[inline(always)]
 fn sum(terms: [(u32, i32); 4]) -> Scaled32 {
-    let [(a, ea), (b, eb), (c, ec), (d, ed)] = terms;
-    let mut top = ea;
-    if eb > top {
-        top = eb;
+    let [a, b, c, d] = terms;
+    let mut top = a.1;
+    if b.1 > top {
+        top = b.1;
     }
-    if ec > top {
-        top = ec;
+    if c.1 > top {
+        top = c.1;
     }
-    if ed > top {
-        top = ed;
+    if d.1 > top {
+        top = d.1;
     }
     let top = top.wrapping_add(1);
-    let down = |x: u32, e: i32| x.wrapping_shr((top.wrapping_sub(e) as u32).min(31));
-    let sum = (down(a, ea).wrapping_add(down(b, eb))).wrapping_add(down(c, ec).wrapping_add(down(d, ed)));
-    Scaled32::cut32(sum, top.wrapping_add(2))
+    let (ab, cd) = (lowered(a, top).wrapping_add(lowered(b, top)), lowered(c, top).wrapping_add(lowered(d, top)));
+    Scaled32::cut32(ab.wrapping_add(cd), top.wrapping_add(2))
+}
+
+#[inline(always)]
+fn mass_term(inv_mass: Scaled32) -> (u32, i32) {
+    (inv_mass.mantissa() as u32, inv_mass.exponent())
+}
+
+/// c . u with 30 bits. Never negative, and cutting off must not make it so.
+#[inline(always)]
+fn turn_term(lever: &Lever32) -> (u32, i32) {
+    let (product, exponent) = lever.coupling(lever);
+    // Below 2^59.6.
+    let product = if product < 0 { 0 } else { narrow::<28>(product) as u32 };
+    let zeros = (product | 1).leading_zeros();
+    (product.wrapping_shl(zeros) >> 2, exponent.wrapping_sub(zeros as i32))
 }
 
 /// 1/m + c . u of both bodies.
 #[inline(always)]
 pub(super) fn inverse_mass(inv_masses: [Scaled32; 2], levers: [&Lever32; 2]) -> Scaled32 {
-    let mass = |i: usize| (inv_masses[i].mantissa() as u32, inv_masses[i].exponent());
-    let turn = |i: usize| {
-        let (product, exponent) = levers[i].coupling(levers[i]);
-        // Below 2^59.6. Never negative, and cutting off must not make it so.
-        let product = if product < 0 { 0 } else { narrow::<28>(product) as u32 };
-        let zeros = (product | 1).leading_zeros();
-        (product.wrapping_shl(zeros) >> 2, exponent.wrapping_sub(zeros as i32))
-    };
-    sum([mass(0), mass(1), turn(0), turn(1)])
+    sum([mass_term(inv_masses[0]), mass_term(inv_masses[1]), turn_term(levers[0]), turn_term(levers[1])])
+}
+
+/// c . u' with 30 bits.
+#[inline(always)]
+fn coupling_term(lever: &Lever32, other: &Lever32) -> Scaled32 {
+    let (product, exponent) = lever.coupling(other);
+    Scaled32::cut(product, exponent.wrapping_sub(60))
 }
 
 /// c . u' of both bodies.
 #[inline(always)]
 pub(super) fn coupling(levers: [&Lever32; 2], others: [&Lever32; 2]) -> Scaled32 {
-    let term = |i: usize| {
-        let (product, exponent) = levers[i].coupling(others[i]);
-        Scaled32::cut(product, exponent.wrapping_sub(60))
-    };
-    term(0) + term(1)
+    coupling_term(levers[0], others[0]) + coupling_term(levers[1], others[1])
 }
