@@ -15,7 +15,7 @@
 //! **Accuracy.** In fixed point nothing between reading the bodies and storing the velocities is rounded to the format.
 //! Against the exact result for the given bits, the impulse of (10) is off by at most 16 u (L |J| + (1 + e) s)/K with
 //! u = 2^-30, K the denominator of (10), s = |v_a| + |v_b| + |w_a||r_a| + |w_b||r_b| and
-//! L = 1/m_a + 1/m_b + |I_a^-1||r_a|^2 + |I_b^-1||r_b|^2; 7.7 u is the worst of a million random cases a format. A stored
+//! L = 1/m_a + 1/m_b + |I_a^-1||r_a|^2 + |I_b^-1||r_b|^2; 14.3 u is the worst of a million random cases a format. A stored
 //! velocity component is off by 0.51 units of its last place and its share (1/m, or |I^-1||r|) of that. In f32 the bound is
 //! 4 u with u = 2^-24. With friction the same form holds with larger factors: `docs/derivation.md` has the table, and
 //! `tests/exact.rs` and `tests/exact_friction.rs` hold it.
@@ -97,7 +97,8 @@ pub fn effective_mass<S: Scalar>(a: &Body<S>, b: &Body<S>, contact: &Contact<S>,
 }
 
 /// The impulse of formula (10), for approaching bodies and for separating ones alike (where it is negative). Zero where
-/// neither body can move, or something is not finite. `restitution` is that of [`Material`]: 0 to 1.
+/// neither body can move, or something is not finite. `restitution` is that of [`Material`]: 0 to 1; beyond, fixed point takes
+/// the nearer end, and a float the formula as it stands.
 #[must_use]
 pub fn collision_impulse<S: Scalar>(a: &Body<S>, b: &Body<S>, contact: &Contact<S>, restitution: S) -> S {
     let column = Column::new(a, b, contact, contact.normal);
@@ -119,6 +120,7 @@ pub fn apply_impulse<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, contact: &Cont
 /// Rebound without friction: where the bodies approach, the impulse of (10) applied by (2) and (3).
 ///
 /// The impulse goes from the quotient to the velocities unrounded; only the report is rounded to the format.
+/// `restitution` is as for [`collision_impulse`].
 pub fn resolve_collision<S: Scalar>(
     a: &mut Body<S>,
     b: &mut Body<S>,

@@ -61,9 +61,12 @@ fn report_is_true<S: Format>(
     Ok(())
 }
 
-/// In fixed point every velocity is the exact one, clamped to the range, within the bound of `tests/exact.rs`.
+/// In fixed point every velocity is the exact one, clamped to the range, within the bound of `tests/exact.rs`. So is the
+/// restitution, to 0 to 1.
 fn nothing_wrapped<S: Format>(case: &Case<S>, result: &Result<S>, counts: &mut Counts) -> TestCaseResult {
-    let problem = Problem::read(case);
+    let restitution = if case.restitution > S::ONE { S::ONE } else { case.restitution };
+    let restitution = if restitution < S::ZERO { S::ZERO } else { restitution };
+    let problem = Problem::read(&Case { restitution, ..*case });
     let numerator = problem.numerator();
     let k = problem.denominator();
     if !k.is_positive() {
