@@ -46,7 +46,9 @@ pub enum Outcome {
     Separating,
     /// The points move apart along the normal, or rest, and do not slide on each other: friction held.
     Stuck,
-    /// The points slide on each other, with friction at its limit (or without friction).
+    /// The points slide on each other, with friction at its limit (or without friction). Where
+    /// [`RestitutionLaw::EnergySafe`] has drawn the impulse back, this and [`Stuck`](Self::Stuck) tell of the impulse before
+    /// that; the one applied lies in the friction cone.
     Slid,
     /// Neither body can move: nothing was changed.
     Immovable,
@@ -89,14 +91,15 @@ pub fn relative_velocity<S: Scalar>(a: &Body<S>, b: &Body<S>, contact: &Contact<
 }
 
 /// The mass that the contact opposes to an impulse along `direction`: the inverse of the denominator of (10). Zero where
-/// neither body can move.
+/// neither body can move; beyond the format, its end. One division.
 #[must_use]
 pub fn effective_mass<S: Scalar>(a: &Body<S>, b: &Body<S>, contact: &Contact<S>, direction: UnitVec3<S>) -> S {
     let k = Column::new(a, b, contact, direction).inverse_mass(a, b);
     if k == S::Scaled::ZERO { S::ZERO } else { S::from_scaled(S::Scaled::ONE / k).0 }
 }
 
-/// The impulse of formula (10), for approaching bodies and for separating ones alike (where it is negative). Zero where
+/// The impulse of formula (10), for approaching bodies and for separating ones alike (where it is negative). Beyond the
+/// format it is the end of it, which [`resolve_collision`] would report and this cannot. Zero where
 /// neither body can move, or something is not finite. `restitution` is that of [`Material`]: 0 to 1; beyond, fixed point takes
 /// the nearer end, and a float the formula as it stands.
 #[must_use]
@@ -141,7 +144,11 @@ pub fn resolve_collision<S: Scalar>(
 ///
 /// The three components of the impulse are found together. Where the one that brings v_n' = -e v_n and v_t' = 0 lies in
 /// the cone, the points stick; else they slide, and the impulse is the one on the cone whose friction opposes the sliding
-/// that is left *after* the impact. At most [`MAX_SLIP_ITERATIONS`] turns of one root search; no other loop.
+/// that is left *after* the impact. At most [`MAX_SLIP_ITERATIONS`] turns of one root search, of two under
+/// [`RestitutionLaw::EnergySafe`]; no other loop.
+///
+/// In floating point impulses and speeds are squared on the way: in f32 magnitudes between 1e-17 and 1e18 have the accuracy
+/// stated above, and beyond it sliding can be taken for sticking. A velocity that overflows to an infinity is stored as such.
 ///
 /// With friction, Newton's v_n' = -e v_n raises the energy in rare eccentric impacts; see [`RestitutionLaw`].
 pub fn resolve_collision_with_friction<S: Scalar>(

@@ -41,7 +41,7 @@ pub(super) fn limit_energy<T: Scaled>(block: &ContactBlock<T>, friction: T, j: [
     let after = velocity_change(block, base);
     let after = [after[0] + block.speed[0], after[1] + block.speed[1], after[2] + block.speed[2]];
     let (a, b, c) = (half * dot(d, velocity_change(block, d)), dot(d, after), energy(base));
-    // The first is false only where something is not finite, the second only where no energy is there to keep.
+    // False where d is zero (e = 0) or something is not finite, and where no energy is there to keep.
     let crosses = a > T::ZERO && c < T::ZERO;
     if !crosses {
         return base;

@@ -23,8 +23,8 @@ pub(super) struct InverseMass<T> {
 pub(super) struct ContactBlock<T> {
     pub inverse_mass: InverseMass<T>,
     pub speed: [T; 3],
-    /// 1/m_a + 1/m_b
-    pub inv_mass: T,
+    /// 1/m_a + 1/m_b, below which no direction's inverse mass can be.
+    pub least: T,
 }
 
 impl<T: Scaled> ContactBlock<T> {
@@ -40,7 +40,7 @@ impl<T: Scaled> ContactBlock<T> {
             t12: t1.coupling(t2),
             t22: t2.inverse_mass(a, b),
         };
-        Self { inverse_mass, speed: [approach, t1.speed(a, b), t2.speed(a, b)], inv_mass: a.inv_mass + b.inv_mass }
+        Self { inverse_mass, speed: [approach, t1.speed(a, b), t2.speed(a, b)], least: a.inv_mass + b.inv_mass }
     }
 
     /// The impulse that gives v_n' = -e v_n under friction mu.
@@ -58,7 +58,7 @@ impl<T: Scaled> ContactBlock<T> {
         }
         let (g1, g2) = (k.n1 / k.nn, k.n2 / k.nn);
         // S is at least 1/m_a + 1/m_b in every direction, and so are its pivots: rounding must not take them below.
-        let least = self.inv_mass;
+        let least = self.least;
         let s12 = k.t12 - k.n1 * g2;
         let (s11, s22) = ((k.t11 - k.n1 * g1).max(least), (k.t22 - k.n2 * g2).max(least));
         let (q1, q2) = (v_1 - g1 * b, v_2 - g2 * b);

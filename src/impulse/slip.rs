@@ -16,7 +16,8 @@ use crate::scalar::Scaled;
 
 /// A bound on the turns of the root search. Newton's method takes 3 to 6 of them; where it leaves the bracket, bisection
 /// takes its place. What the last turn leaves unresolved turns the friction by its share; the cone and Newton's law of
-/// restitution hold all the same.
+/// restitution hold all the same, but where friction presses the bodies together so hard that the normal impulse is taken
+/// from the tangential rows (`friction.rs`): there v_n' has its share, too.
 pub const MAX_SLIP_ITERATIONS: usize = 24;
 
 /// The equation of sliding, in the form above.
@@ -69,7 +70,7 @@ impl<T: Scaled> Slip<T> {
 
     /// D(t), a sum of what is not negative.
     #[inline(always)]
-    fn determinant(&self, t: T) -> T {
+    fn denominator(&self, t: T) -> T {
         let rest = T::ONE - t;
         rest * (rest + t * self.trace) + t * t * self.determinant
     }
@@ -80,7 +81,7 @@ impl<T: Scaled> Slip<T> {
         let (n, length) = self.numerator(t);
         let dot = |a: [T; 2], b: [T; 2]| a[0] * b[0] + a[1] * b[1];
         let along = dot(self.coupling, n);
-        let value = t * (length - along) - self.load * self.determinant(t);
+        let value = t * (length - along) - self.load * self.denominator(t);
         // D(t) = 1 + t (d1 + t d2)
         let two = T::ONE + T::ONE;
         let (d1, d2) = (self.trace - two, self.determinant - self.trace + T::ONE);
@@ -119,5 +120,5 @@ pub(super) fn sliding<T: Scaled>(slip: &Slip<T>) -> Sliding<T> {
         t = if next > low && next < high { next } else { half * (low + high) };
     }
     let ([x, y], length) = slip.numerator(t);
-    Sliding { direction: [x / length, y / length], friction: t * length / (slip.m * slip.determinant(t)) }
+    Sliding { direction: [x / length, y / length], friction: t * length / (slip.m * slip.denominator(t)) }
 }
