@@ -36,6 +36,10 @@ fn has_all_digits<T: Scaled>(x: T) -> bool {
     x.is_finite() && x * T::EPSILON > T::ZERO
 }
 
+fn have_all_digits<T: Scaled>([x, y, z]: [T; 3]) -> bool {
+    has_all_digits(x) && has_all_digits(y) && has_all_digits(z)
+}
+
 /// The dimension to name where those of a solid lead out of a float's range.
 fn radius_or<T: Scaled>(radius: T, other: SolidError) -> SolidError {
     if has_all_digits(radius * radius * radius) { other } else { SolidError::Radius }
@@ -157,8 +161,7 @@ impl<S: Scalar> Solid<S> {
     }
 
     fn new(measure: S::Scaled, moments: [S::Scaled; 3], error: SolidError) -> Result<Self, SolidError> {
-        let [x, y, z] = moments;
-        let fits = [measure, x, y, z].into_iter().all(has_all_digits);
+        let fits = has_all_digits(measure) && have_all_digits(moments);
         if fits { Ok(Self { measure, moments }) } else { Err(error) }
     }
 
@@ -198,12 +201,13 @@ impl<S: Scalar> Solid<S> {
 
     fn scaled_mass(&self, mass: S::Scaled, error: MassError) -> Result<MassProperties<S>, MassError> {
         let [x, y, z] = self.moments;
-        let values = [mass, mass * x, mass * y, mass * z];
-        let [inv_mass, x, y, z] = values.map(|value| S::Scaled::ONE / value);
-        if !values.into_iter().chain([inv_mass, x, y, z]).all(has_all_digits) {
+        let moments = [mass * x, mass * y, mass * z];
+        let (inv_mass, inverses) = (S::Scaled::ONE / mass, moments.map(|moment| S::Scaled::ONE / moment));
+        let fits = has_all_digits(mass) && has_all_digits(inv_mass);
+        if !(fits && have_all_digits(moments) && have_all_digits(inverses)) {
             return Err(error);
         }
-        MassProperties::from_inverses(inv_mass, [x, y, z])
+        MassProperties::from_inverses(inv_mass, inverses)
     }
 }
 
@@ -274,7 +278,8 @@ impl<S: Scalar> MassProperties<S> {
 /// A power of two within a factor of two of a positive number.
 fn power_near<T: Scaled>(x: T) -> T {
     let mut power = T::ONE;
-    for exponent in [512, 256, 128, 64, 32, 16, 8, 4, 2, 1] {
+    let mut exponent = 512;
+    while exponent > 0 {
         let larger = power * T::from_parts(1, exponent);
         let smaller = power * T::from_parts(1, -exponent);
         if larger <= x {
@@ -282,6 +287,7 @@ fn power_near<T: Scaled>(x: T) -> T {
         } else if smaller >= x {
             power = smaller;
         }
+        exponent /= 2;
     }
     power
 }

@@ -104,9 +104,10 @@ const fn rounded(product: i64, half: i32, down: u32) -> i32 {
 #[cold]
 #[inline(never)]
 fn add_clipped<Frac>(x: &mut Vec3<FixedI32<Frac>>, change: [i32; 3]) -> bool {
-    for (x, change) in [&mut x.x, &mut x.y, &mut x.z].into_iter().zip(change) {
-        *x = FixedI32::from_bits(x.to_bits().saturating_add(change));
-    }
+    let bits = bits_of(x);
+    x.x = FixedI32::from_bits(bits[0].saturating_add(change[0]));
+    x.y = FixedI32::from_bits(bits[1].saturating_add(change[1]));
+    x.z = FixedI32::from_bits(bits[2].saturating_add(change[2]));
     true
 }
 
@@ -129,13 +130,12 @@ where
     Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
 {
     let down = 60i32.wrapping_sub(Frac::I32).wrapping_sub(exponent);
-    let mut clipped = false;
-    for (x, d) in [&mut x.x, &mut x.y, &mut x.z].into_iter().zip(d) {
-        let (bits, met) = clip(shift_product(product(d, k), down).wrapping_add(x.to_bits() as i64));
-        *x = FixedI32::from_bits(bits);
-        clipped |= met;
-    }
-    clipped
+    let bits = bits_of(x);
+    let (x0, met0) = clip(shift_product(product(d[0], k), down).wrapping_add(bits[0] as i64));
+    let (x1, met1) = clip(shift_product(product(d[1], k), down).wrapping_add(bits[1] as i64));
+    let (x2, met2) = clip(shift_product(product(d[2], k), down).wrapping_add(bits[2] as i64));
+    *x = Vec3::new(FixedI32::from_bits(x0), FixedI32::from_bits(x1), FixedI32::from_bits(x2));
+    met0 | met1 | met2
 }
 
 /// `|n| 2^frac / |d|` with its sign, clipped.
