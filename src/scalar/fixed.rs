@@ -351,7 +351,7 @@ where
         if down <= 0 {
             return from_large(x);
         }
-        // 2^30 and a half of 2^30 are cut to one, below that to nothing.
+        // A mantissa below 2^30 and the half of 2^31 are cut to nothing.
         let down = (down as u32).min(31);
         let half = (1u32.wrapping_shl(down) >> 1) as i32;
         let m = x.mantissa();
