@@ -78,7 +78,7 @@ pub use error::{
 };
 pub use hash::StateHash;
 pub use mass::{MassProperties, Solid};
-pub use math::{Mat3, Quat, SymMat3, UnitVec3, Vec3};
+pub use math::{Block, BlockImpulse, Mat3, Quat, SymBlock, SymMat3, UnitVec3, Vec3};
 #[cfg(feature = "fixed")]
 pub use scalar::Scaled32;
 pub use scalar::{Scalar, Scaled};

@@ -1,11 +1,13 @@
 //! The little linear algebra that rigid bodies need, written out by hand for three dimensions.
 
+mod block;
 mod mat3;
 mod quat;
 mod sym3;
 mod unit_vec3;
 mod vec3;
 
+pub use self::block::{Block, BlockImpulse, SymBlock};
 pub use self::mat3::Mat3;
 pub use self::quat::Quat;
 pub use self::sym3::SymMat3;

@@ -4,11 +4,15 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::error::RangeError;
-use crate::math::{SymMat3, Vec3};
+use crate::math::{Block, BlockImpulse, SymBlock, SymMat3, Vec3};
 
 #[cfg(any(feature = "f32", feature = "f64", feature = "micromath"))]
 mod float;
 
+#[cfg(feature = "fixed")]
+mod arm32;
+#[cfg(feature = "fixed")]
+mod contact32;
 #[cfg(feature = "f32")]
 mod f32;
 #[cfg(feature = "f64")]
@@ -52,6 +56,8 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     type Exponent: Copy + Default + Debug + PartialEq + Send + Sync + 'static;
     /// How an impulse along a direction turns a body; see [`lever`](Self::lever).
     type Lever: Copy + Debug + Send + Sync + 'static;
+    /// How impulses at the end of an arm turn a body; see [`arm`](Self::arm).
+    type Arm: Copy + Debug + Send + Sync + 'static;
     /// Length of a sub-step in seconds.
     type SubStep: Copy + Default + Debug + PartialEq + Send + Sync + 'static;
     /// What [`advance`](Self::advance) carries from one sub-step to the next.
@@ -61,6 +67,8 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     const ZERO: Self;
     /// One.
     const ONE: Self;
+    /// Whether [`contact_impulse`](Self::contact_impulse) and what goes into it round alike for a number and its opposite.
+    const SYMMETRIC: bool;
     /// Two to the zeroth.
     const NO_EXPONENT: Self::Exponent;
 
@@ -150,9 +158,6 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
         exponent: Self::Exponent,
     ) -> Self::Lever;
 
-    /// The columns I^-1 c of three levers of one arm times three factors, added up.
-    fn blend(levers: [&Self::Lever; 3], factors: [Self::Unit; 3]) -> Self::Lever;
-
     /// The speed at which two points part: `v . d + w . c`, added up for both bodies, each with its own direction away from
     /// the other.
     fn parting_speed(
@@ -164,9 +169,6 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
 
     /// The denominator of (10): `1/m + c . u`, added up for both bodies.
     fn inverse_mass(inv_masses: [Self::Scaled; 2], levers: [&Self::Lever; 2]) -> Self::Scaled;
-
-    /// What the rotations of both bodies add to the inverse mass between two directions: `c . u'`, added up.
-    fn coupling(levers: [&Self::Lever; 2], others: [&Self::Lever; 2]) -> Self::Scaled;
 
     /// `-(1 + e) speed / k` for `e` in 0 to 1 and `k >= 0`. For `k = 0`: not finite, in fixed point zero.
     fn rebound(restitution: Self, speed: Self::Scaled, k: Self::Scaled) -> Self::Scaled;
@@ -181,6 +183,39 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
         j: Self::Scaled,
     ) -> bool;
 
+    /// What impulses in any direction do at the end of the arm `r`: W = I^-1 (r x .), for a tensor I^-1 with the power of two
+    /// of its block.
+    fn arm(r: &Vec3<Self>, inv_inertia: &SymMat3<Self::Unit>, exponent: Self::Exponent) -> Self::Arm;
+
+    /// The velocity of the second body's point relative to the first's: `v + w x r` of the second less that of the first.
+    fn contact_velocity(v: [&Vec3<Self>; 2], w: [&Vec3<Self>; 2], r: [&Vec3<Self>; 2]) -> Block<Self>;
+
+    /// K of a contact in the world's frame: 1/m + (r x .)^T W, added up for both bodies.
+    fn contact_inverse_mass(inv_masses: [Self::Scaled; 2], arms: [&Self::Arm; 2]) -> SymBlock<Self>;
+
+    /// The impulse with friction in the number type's own arithmetic, and whether the points stick: for approaching points, the
+    /// unit `normal`, and the coefficients of restitution and friction. `None` where [`Scaled`](Self::Scaled) has to be used: in
+    /// floating point always, in fixed point where the contact is not well conditioned.
+    fn contact_impulse(
+        inverse_mass: &SymBlock<Self>,
+        velocity: &Block<Self>,
+        normal: &Vec3<Self::Unit>,
+        surface: [Self; 2],
+    ) -> Option<(BlockImpulse<Self>, bool)>;
+
+    /// The number `mantissa * 2^exponent`, rounded to the format, and whether the end of the range was met.
+    fn from_block(mantissa: Self::Unit, exponent: Self::Exponent) -> (Self, bool);
+
+    /// `v + m j` and `w + I^-1 (r x j)`, which is W j, for the inverse mass m: rounded once a component, and whether a
+    /// component met the end of the range.
+    fn kick(
+        motion: (&mut Vec3<Self>, &mut Vec3<Self>),
+        inverse: (Self::Scaled, &SymMat3<Self::Unit>),
+        r: &Vec3<Self>,
+        arm: &Self::Arm,
+        j: &Block<Self>,
+    ) -> bool;
+
     /// The same number as a [`Scaled`](Self::Scaled), rounded to its 30 bits.
     fn to_scaled(self) -> Self::Scaled;
 
@@ -192,6 +227,14 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     /// Also whether the end of the range was met.
     fn advance(self, velocity: Self, h: Self::SubStep, remainder: &mut Self::Remainder) -> (Self, bool);
 }
+
+/// A bound on the turns of the search for the direction in which points slide, in
+/// [`resolve_collision_with_friction`](crate::impulse::resolve_collision_with_friction).
+///
+/// Newton's method takes 3 to 6 of them; where it leaves the bracket, bisection takes its place. What the last turn leaves
+/// unresolved turns the friction by its share; the cone and Newton's law of restitution hold all the same, but where friction
+/// presses the bodies together so hard that the normal impulse is taken from the tangential rows: there v_n' has its share, too.
+pub const MAX_SLIP_ITERATIONS: usize = 24;
 
 /// Intermediate results of the kernel: a small floating-point arithmetic of its own in fixed point
 /// ([`Scaled32`]), the float itself otherwise. Operators round to the nearest and never panic.
@@ -240,6 +283,10 @@ pub trait Scaled:
     /// `self * 2^exponent` for the exponent of a block.
     #[must_use]
     fn raised(self, exponent: Self::Exponent) -> Self;
+
+    /// The mantissa in a block with that exponent, rounded.
+    #[must_use]
+    fn lowered(self, exponent: Self::Exponent) -> Self::Unit;
 
     /// Three numbers as a block with components within +-1/2 (in floating point: themselves).
     fn align3(v: [Self; 3]) -> ([Self::Unit; 3], Self::Exponent);

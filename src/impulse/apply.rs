@@ -2,8 +2,8 @@
 
 use super::lever::Column;
 use crate::body::Body;
-use crate::math::Vec3;
-use crate::scalar::{Scalar, Scaled};
+use crate::math::{Block, Vec3};
+use crate::scalar::Scalar;
 
 /// An impulse `j` along a direction as the body sees it.
 #[inline(always)]
@@ -17,34 +17,21 @@ pub(super) fn apply_normal<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, column: 
     push(a, &column.opposite, &column.a, j) | push(b, &column.direction, &column.b, j)
 }
 
-/// The sum of three vectors times a factor each.
+/// An impulse `j` at the end of an arm.
 #[inline(always)]
-fn sum<U: Scalar>(v: [Vec3<U>; 3], factors: [U; 3]) -> Vec3<U> {
-    let [n, t1, t2] = v;
-    Vec3::new(
-        U::dot3([n.x, t1.x, t2.x], factors),
-        U::dot3([n.y, t1.y, t2.y], factors),
-        U::dot3([n.z, t1.z, t2.z], factors),
-    )
+fn kick<S: Scalar>(body: &mut Body<S>, r: &Vec3<S>, arm: &S::Arm, j: &Block<S>) -> bool {
+    let motion = (&mut body.linear_velocity, &mut body.angular_velocity);
+    S::kick(motion, (body.inv_mass, &body.inv_inertia_world), r, arm, j)
 }
 
-/// Impulses along the normal and two tangents, on B; the opposite on A. Returns the tangential part as a vector.
+/// An impulse in any direction on `b`, the opposite on `a`.
 #[inline(always)]
 pub(super) fn apply_block<S: Scalar>(
     a: &mut Body<S>,
     b: &mut Body<S>,
-    columns: &[Column<S>; 3],
-    j: [S::Scaled; 3],
-) -> (Vec3<S>, bool) {
-    let (j, exponent) = S::Scaled::align3(j);
-    let one = S::Scaled::ONE.raised(exponent);
-    let [n, t1, t2] = columns;
-    let impulse = sum([n.opposite, t1.opposite, t2.opposite], j);
-    let clipped_a = push(a, &impulse, &S::blend([&n.a, &t1.a, &t2.a], j), one);
-    let impulse = sum([n.direction, t1.direction, t2.direction], j);
-    let clipped_b = push(b, &impulse, &S::blend([&n.b, &t1.b, &t2.b], j), one);
-
-    let tangential = sum([Vec3::ZERO, t1.direction, t2.direction], j).to_array();
-    let [x, y, z] = tangential.map(|x| S::from_scaled(x.to_scaled() * one));
-    (Vec3::new(x.0, y.0, z.0), clipped_a | clipped_b | x.1 | y.1 | z.1)
+    r: [&Vec3<S>; 2],
+    arms: &[S::Arm; 2],
+    j: &Block<S>,
+) -> bool {
+    kick(a, r[0], &arms[0], &j.opposite()) | kick(b, r[1], &arms[1], j)
 }

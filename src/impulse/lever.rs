@@ -55,12 +55,6 @@ impl<S: Scalar> Column<S> {
         S::inverse_mass([a.inv_mass, b.inv_mass], self.levers())
     }
 
-    /// What the rotations add to the inverse mass between this direction and another.
-    #[inline(always)]
-    pub fn coupling(&self, other: &Self) -> S::Scaled {
-        S::coupling(self.levers(), other.levers())
-    }
-
     /// The impulse of (10) for approaching bodies; the outcome where there is none.
     #[inline(always)]
     pub fn impulse(&self, a: &Body<S>, b: &Body<S>, restitution: S) -> Result<S::Scaled, Outcome> {

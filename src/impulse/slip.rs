@@ -12,13 +12,7 @@
 //! between, whatever the coupling of normal and tangent. It is also the well-conditioned form: for slow friction the
 //! direction N(t) hardly depends on t.
 
-use crate::scalar::Scaled;
-
-/// A bound on the turns of the root search. Newton's method takes 3 to 6 of them; where it leaves the bracket, bisection
-/// takes its place. What the last turn leaves unresolved turns the friction by its share; the cone and Newton's law of
-/// restitution hold all the same, but where friction presses the bodies together so hard that the normal impulse is taken
-/// from the tangential rows (`friction.rs`): there v_n' has its share, too.
-pub const MAX_SLIP_ITERATIONS: usize = 24;
+use crate::scalar::{MAX_SLIP_ITERATIONS, Scaled};
 
 /// The equation of sliding, in the form above.
 pub(super) struct Slip<T> {
@@ -49,13 +43,14 @@ impl<T: Scaled> Slip<T> {
     /// -b/K_nn, mu, and K_nt/K_nn.
     #[inline(always)]
     pub fn new(s: [T; 3], (m, pivot): (T, T), q: [T; 2], frictionless: T, friction: T, g: [T; 2]) -> Self {
-        let [s11, s12, s22] = [s[0] / m, s[1] / m, s[2] / m];
+        let over = T::ONE / m;
+        let [s11, s12, s22] = [s[0] * over, s[1] * over, s[2] * over];
         Self {
             q,
             p: [(s22 - T::ONE) * q[0] - s12 * q[1], (s11 - T::ONE) * q[1] - s12 * q[0]],
             m,
             trace: s11 + s22,
-            determinant: pivot / m,
+            determinant: pivot * over,
             load: friction * m * frictionless,
             coupling: [friction * g[0], friction * g[1]],
         }
@@ -73,6 +68,15 @@ impl<T: Scaled> Slip<T> {
     fn denominator(&self, t: T) -> T {
         let rest = T::ONE - t;
         rest * (rest + t * self.trace) + t * t * self.determinant
+    }
+
+    /// Newton's first step from t = 0, where the equation's value is -load.
+    #[inline(always)]
+    fn guess(&self) -> T {
+        let [x, y] = self.q;
+        let along = self.coupling[0] * x + self.coupling[1] * y;
+        let rise = self.load * (T::ONE + T::ONE - self.trace);
+        self.load / ((x * x + y * y).sqrt() - along + rise)
     }
 
     /// Left side minus right side, and its derivative.
@@ -96,14 +100,12 @@ impl<T: Scaled> Slip<T> {
 pub(super) fn sliding<T: Scaled>(slip: &Slip<T>) -> Sliding<T> {
     let half = T::from_parts(1, -1);
     let (mut low, mut high) = (T::ZERO, T::ONE);
-    // Newton's first step from t = 0, where the value is -load.
-    let (_, slope) = slip.excess(T::ZERO);
-    let mut t = slip.load / slope;
+    let mut t = slip.guess();
     if !(t > low && t < high) {
         t = half;
     }
-    // Where rounding of the value decides the step, further steps gain nothing.
-    let tolerance = T::from_parts(4, 0) * T::EPSILON;
+    // After such a step of Newton's its square, or some of that, is left.
+    let tolerance = T::from_parts(1, -5) * T::EPSILON;
     for _ in 0..MAX_SLIP_ITERATIONS {
         let (value, slope) = slip.excess(t);
         if value < T::ZERO {
@@ -112,11 +114,11 @@ pub(super) fn sliding<T: Scaled>(slip: &Slip<T>) -> Sliding<T> {
             high = t;
         }
         let step = value / slope;
-        let small = tolerance * t;
-        if step <= small && -small <= step {
+        let next = t - step;
+        if step * step <= tolerance * (t * t) {
+            t = if next < T::ONE { next } else { T::ONE };
             break;
         }
-        let next = t - step;
         t = if next > low && next < high { next } else { half * (low + high) };
     }
     let ([x, y], length) = slip.numerator(t);

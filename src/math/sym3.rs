@@ -56,7 +56,7 @@ impl<S: Scalar> SymMat3<S> {
     }
 
     #[inline(always)]
-    fn columns(&self) -> [Vec3<S>; 3] {
+    pub(crate) fn columns(&self) -> [Vec3<S>; 3] {
         [
             Vec3::new(self.xx, self.xy, self.xz),
             Vec3::new(self.xy, self.yy, self.yz),

@@ -75,21 +75,6 @@ impl<S: Scalar> UnitVec3<S> {
     /// direction has the same first tangent and the opposite second one, bit for bit.
     #[inline]
     pub fn tangents(self) -> (Self, Self) {
-        let (first, second) = self.odd_tangents();
-        (if self.is_mirrored() { -first } else { first }, second)
-    }
-
-    /// The direction or its opposite: one of the two, decided by the last component that is not zero.
-    #[inline]
-    fn is_mirrored(self) -> bool {
-        let Vec3 { x, y, z } = self.0;
-        let zero = S::Unit::ZERO;
-        z < zero || (z == zero && (y < zero || (y == zero && x < zero)))
-    }
-
-    /// Two directions across this one and each other. The opposite direction has the opposite ones, bit for bit.
-    #[inline]
-    pub(crate) fn odd_tangents(self) -> (Self, Self) {
         let mirrored = self.is_mirrored();
         let Vec3 { x, y, z } = if mirrored { -self.0 } else { self.0 };
         let (a, _) = S::Unit::from_scaled(S::Scaled::ONE / (S::Scaled::ONE + z.to_scaled()));
@@ -97,7 +82,15 @@ impl<S: Scalar> UnitVec3<S> {
         let b = x.times(y).times(a).negated();
         let first = Self(Vec3::new(one.minus(x.times(x).times(a)), b, x.negated()));
         let second = Self(Vec3::new(b, one.minus(y.times(y).times(a)), y.negated()));
-        if mirrored { (-first, -second) } else { (first, second) }
+        (first, if mirrored { -second } else { second })
+    }
+
+    /// The direction or its opposite: one of the two, decided by the last component that is not zero.
+    #[inline(always)]
+    pub(crate) fn is_mirrored(self) -> bool {
+        let Vec3 { x, y, z } = self.0;
+        let zero = S::Unit::ZERO;
+        z < zero || (z == zero && (y < zero || (y == zero && x < zero)))
     }
 }
 

@@ -5,11 +5,13 @@ use fixed::types::I2F30;
 use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30, U31};
 
 use super::Scalar;
+use super::arm32::{self, Arm32};
+use super::contact32::{Contact32, Impulse32};
 use super::integer::{round_shift, round_sqrt, wide_quotient};
-use super::lever32::{self, Lever32, dot, product};
+use super::lever32::{self, Lever32, bits_of, dot, magnitude, product};
 use super::scaled32::{Scaled32, shift_product};
 use crate::error::RangeError;
-use crate::math::{SymMat3, Vec3};
+use crate::math::{Block, BlockImpulse, SymBlock, SymMat3, Vec3};
 
 /// `x` clipped to 32 bits, and whether that changed it.
 #[inline(always)]
@@ -45,9 +47,12 @@ fn end_of_range(p: i64, q: i64, r: i64) -> i32 {
 /// The places by which a vector can move left so that its components stay within 29 bits: -2 to 29.
 #[inline(always)]
 const fn headroom(v: [i32; 3]) -> i32 {
-    // x ^ (x >> 31) is |x| for this purpose, without its exception at the lowest number.
-    let magnitude = (v[0] ^ (v[0] >> 31)) | (v[1] ^ (v[1] >> 31)) | (v[2] ^ (v[2] >> 31));
-    (magnitude.leading_zeros() as i32).wrapping_sub(3)
+    (magnitude(v).leading_zeros() as i32).wrapping_sub(3)
+}
+
+#[inline(always)]
+fn units(v: [i32; 3]) -> Vec3<I2F30> {
+    Vec3::new(I2F30::from_bits(v[0]), I2F30::from_bits(v[1]), I2F30::from_bits(v[2]))
 }
 
 #[inline(always)]
@@ -58,11 +63,6 @@ const fn move_left(x: i32, places: i32) -> i32 {
 #[inline(always)]
 fn bits3<Frac>(v: [FixedI32<Frac>; 3]) -> [i32; 3] {
     [v[0].to_bits(), v[1].to_bits(), v[2].to_bits()]
-}
-
-#[inline(always)]
-fn bits_of<Frac>(v: &Vec3<FixedI32<Frac>>) -> [i32; 3] {
-    [v.x.to_bits(), v.y.to_bits(), v.z.to_bits()]
 }
 
 /// `x + k d` for a block `d` of Q2.30 and components of `x` in units of 2^-frac: rounded once a component, and whether a
@@ -86,6 +86,33 @@ where
         rounded(product(d[1], k), half, down),
         rounded(product(d[2], k), half, down),
     ];
+    add_change(x, change)
+}
+
+/// `x + d` for a vector `d` in units of 2^exponent, with components within 2^30, and components of `x` in units of 2^-frac.
+#[inline(always)]
+fn add_block<Frac>(x: &mut Vec3<FixedI32<Frac>>, d: [i32; 3], exponent: i32) -> bool
+where
+    Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
+{
+    let down = exponent.wrapping_add(Frac::I32).wrapping_neg();
+    if down <= 0 {
+        return add_far(x, d, 1 << 29, exponent.wrapping_add(31));
+    }
+    let down = (down as u32).min(31);
+    let half = (1u32.wrapping_shl(down) >> 1) as i32;
+    add_change(x, [moved(d[0], half, down), moved(d[1], half, down), moved(d[2], half, down)])
+}
+
+/// `x` moved right and rounded.
+#[inline(always)]
+const fn moved(x: i32, half: i32, down: u32) -> i32 {
+    x.wrapping_add(half).wrapping_shr(down)
+}
+
+/// The sum, and whether a component met the end of the range.
+#[inline(always)]
+fn add_change<Frac>(x: &mut Vec3<FixedI32<Frac>>, change: [i32; 3]) -> bool {
     let bits = bits_of(x);
     let Some(x0) = bits[0].checked_add(change[0]) else { return add_clipped(x, change) };
     let Some(x1) = bits[1].checked_add(change[1]) else { return add_clipped(x, change) };
@@ -97,7 +124,7 @@ where
 /// The upper half of a product, moved right and rounded.
 #[inline(always)]
 const fn rounded(product: i64, half: i32, down: u32) -> i32 {
-    ((product >> 32) as i32).wrapping_add(half).wrapping_shr(down)
+    moved((product >> 32) as i32, half, down)
 }
 
 /// `x + change`, where a component meets the end of the range.
@@ -159,11 +186,13 @@ where
     type Scaled = Scaled32;
     type Exponent = i32;
     type Lever = Lever32;
+    type Arm = Arm32;
     type SubStep = FixedI32<U31>;
     type Remainder = u16;
 
     const ZERO: Self = Self::from_bits(0);
     const ONE: Self = Self::from_bits(1 << Frac::U32);
+    const SYMMETRIC: bool = false;
     const NO_EXPONENT: i32 = Scaled32::LOWEST;
 
     #[inline]
@@ -288,11 +317,6 @@ where
     }
 
     #[inline(always)]
-    fn blend(levers: [&Lever32; 3], factors: [I2F30; 3]) -> Lever32 {
-        Lever32::blend(levers, [factors[0].to_bits(), factors[1].to_bits(), factors[2].to_bits()])
-    }
-
-    #[inline(always)]
     fn parting_speed(
         v: [&Vec3<Self>; 2],
         w: [&Vec3<Self>; 2],
@@ -306,11 +330,6 @@ where
     #[inline(always)]
     fn inverse_mass(inv_masses: [Scaled32; 2], levers: [&Lever32; 2]) -> Scaled32 {
         lever32::inverse_mass(inv_masses, levers)
-    }
-
-    #[inline(always)]
-    fn coupling(levers: [&Lever32; 2], others: [&Lever32; 2]) -> Scaled32 {
-        lever32::coupling(levers, others)
     }
 
     #[inline(always)]
@@ -338,6 +357,94 @@ where
         let fast = add_scaled(v, bits_of(d), k as i32, exponent);
         let (u, exponent) = lever.turn();
         fast | add_scaled(w, u, q, j.exponent().wrapping_add(exponent))
+    }
+
+    #[inline(always)]
+    fn arm(r: &Vec3<Self>, inv_inertia: &SymMat3<I2F30>, exponent: i32) -> Arm32 {
+        Arm32::new(bits_of(r), inv_inertia, exponent, Frac::I32)
+    }
+
+    #[inline(always)]
+    fn contact_velocity(v: [&Vec3<Self>; 2], w: [&Vec3<Self>; 2], r: [&Vec3<Self>; 2]) -> Block<Self> {
+        let (mantissas, exponent) = match arm32::velocity(v, w, r, Frac::I32) {
+            Some((u, exponent)) => (units(u), exponent.wrapping_add(30)),
+            None => {
+                let (u, exponent) = arm32::far_velocity(v, w, r);
+                (Vec3::from_array(u), exponent)
+            }
+        };
+        Block { mantissas, exponent }
+    }
+
+    #[inline(always)]
+    fn contact_inverse_mass(inv_masses: [Scaled32; 2], arms: [&Arm32; 2]) -> SymBlock<Self> {
+        let ([xx, xy, xz, yy, yz, zz], exponent) = arm32::inverse_mass(inv_masses, arms);
+        let mantissas = SymMat3 {
+            xx: I2F30::from_bits(xx),
+            xy: I2F30::from_bits(xy),
+            xz: I2F30::from_bits(xz),
+            yy: I2F30::from_bits(yy),
+            yz: I2F30::from_bits(yz),
+            zz: I2F30::from_bits(zz),
+        };
+        SymBlock { mantissas, exponent: exponent.wrapping_add(30) }
+    }
+
+    #[inline(always)]
+    fn contact_impulse(
+        inverse_mass: &SymBlock<Self>,
+        velocity: &Block<Self>,
+        normal: &Vec3<I2F30>,
+        [restitution, friction]: [Self; 2],
+    ) -> Option<(BlockImpulse<Self>, bool)> {
+        let up = 30 - Frac::U32;
+        let friction = friction.to_bits();
+        if friction >> Frac::U32 >= 2 {
+            return None;
+        }
+        let SymMat3 { xx, xy, xz, yy, yz, zz } = inverse_mass.mantissas;
+        let contact = Contact32 {
+            inverse_mass: [xx.to_bits(), xy.to_bits(), xz.to_bits(), yy.to_bits(), yz.to_bits(), zz.to_bits()],
+            inverse_mass_exponent: inverse_mass.exponent,
+            velocity: bits_of(&velocity.mantissas),
+            velocity_exponent: velocity.exponent,
+            normal: bits_of(normal),
+            restitution: restitution.to_bits() << up,
+            friction: friction << up,
+        };
+        let Impulse32 { normal, across, whole, exponent, stuck } = contact.solve()?;
+        let normal = I2F30::from_bits(normal);
+        Some((
+            BlockImpulse { normal, across: units(across), whole: units(whole), exponent: exponent.wrapping_add(30) },
+            stuck,
+        ))
+    }
+
+    #[inline(always)]
+    fn from_block(mantissa: I2F30, exponent: i32) -> (Self, bool) {
+        let down = 30i32.wrapping_sub(exponent).wrapping_sub(Frac::I32);
+        if down <= 0 {
+            return from_large(Scaled32::new(mantissa.to_bits() as i64, exponent.wrapping_sub(30)));
+        }
+        // The last place first: with one half of 2^31, a mantissa of 31 bits would leave the range.
+        let down = (down as u32).min(31).wrapping_sub(1);
+        let half = (1u32.wrapping_shl(down) >> 1) as i32;
+        (Self::from_bits(moved(mantissa.to_bits() >> 1, half, down)), false)
+    }
+
+    #[inline(never)]
+    fn kick(
+        (v, w): (&mut Vec3<Self>, &mut Vec3<Self>),
+        (inv_mass, _): (Scaled32, &SymMat3<I2F30>),
+        _: &Vec3<Self>,
+        arm: &Arm32,
+        j: &Block<Self>,
+    ) -> bool {
+        let mantissas = bits_of(&j.mantissas);
+        let fast = add_scaled(v, mantissas, inv_mass.mantissa(), inv_mass.exponent().wrapping_add(j.exponent));
+        let (u, exponent) = arm.turn(mantissas);
+        // `u` in units of 2^exponent and `j` in units of 2^-30 of its own.
+        fast | add_block(w, u, exponent.wrapping_add(j.exponent).wrapping_sub(30))
     }
 
     #[inline(always)]

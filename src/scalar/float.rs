@@ -9,20 +9,35 @@ pub struct FloatLever<T> {
     pub(super) turn: Vec3<T>,
 }
 
+/// An arm in floating point: r, and the rows of W = I^-1 (r x .).
+#[derive(Clone, Copy, Debug)]
+pub struct FloatArm<T> {
+    pub(super) r: Vec3<T>,
+    pub(super) turn: [Vec3<T>; 3],
+}
+
 /// Implements `Scalar` and `Scaled` for a float: `$sqrt` is its square root, `$int` makes one of an `i32`, `$bits` gives
 /// the stored bits, `$power` is two to an exponent that is in the normal range.
 macro_rules! float_scalar {
     ($float:ty, sqrt: $sqrt:expr, int: $int:expr, bits: $bits:expr, power: $power:expr, max_exponent: $max_exponent:expr,
      zero: $zero:expr, one: $one:expr, pi: $pi:expr, epsilon: $epsilon:expr, small: $small:expr, finite: $finite:expr) => {
-        use super::float::FloatLever;
-        use $crate::math::{SymMat3, Vec3};
+        use super::float::{FloatArm, FloatLever};
+        use $crate::math::{Block, BlockImpulse, SymBlock, SymMat3, Vec3};
 
-        impl FloatLever<$float> {
-            /// v . d + w . c
+        impl FloatArm<$float> {
+            /// (r x .)^T I^-1 (r x .)
             #[inline(always)]
-            fn speed(&self, v: &Vec3<$float>, w: &Vec3<$float>, d: &Vec3<$float>) -> $float {
-                let c = &self.cross;
-                v.x * d.x + v.y * d.y + v.z * d.z + w.x * c.x + w.y * c.y + w.z * c.z
+            fn inverse_mass(&self) -> SymMat3<$float> {
+                let Vec3 { x, y, z } = self.r;
+                let [wx, wy, wz] = self.turn;
+                SymMat3 {
+                    xx: wy.x * z - wz.x * y,
+                    xy: wy.y * z - wz.y * y,
+                    xz: wy.z * z - wz.z * y,
+                    yy: wz.y * x - wx.y * z,
+                    yz: wz.z * x - wx.z * z,
+                    zz: wx.z * y - wy.z * x,
+                }
             }
         }
 
@@ -31,11 +46,13 @@ macro_rules! float_scalar {
             type Scaled = Self;
             type Exponent = ();
             type Lever = FloatLever<Self>;
+            type Arm = FloatArm<Self>;
             type SubStep = Self;
             type Remainder = Self;
 
             const ZERO: Self = $zero;
             const ONE: Self = $one;
+            const SYMMETRIC: bool = true;
             const NO_EXPONENT: () = ();
 
             #[inline]
@@ -155,34 +172,20 @@ macro_rules! float_scalar {
             }
 
             #[inline(always)]
-            fn blend(levers: [&Self::Lever; 3], factors: [Self; 3]) -> Self::Lever {
-                let [a, b, c] = levers;
-                let [i, j, k] = factors;
-                FloatLever {
-                    cross: a.cross * i + b.cross * j + c.cross * k,
-                    turn: a.turn * i + b.turn * j + c.turn * k,
-                }
-            }
-
-            #[inline(always)]
             fn parting_speed(
                 v: [&Vec3<Self>; 2],
                 w: [&Vec3<Self>; 2],
                 d: [&Vec3<Self>; 2],
                 levers: [&Self::Lever; 2],
             ) -> Self {
-                levers[0].speed(v[0], w[0], d[0]) + levers[1].speed(v[1], w[1], d[1])
+                // The difference first: in a common drift, the speeds along the direction are large and their difference small.
+                (*v[1] - *v[0]).dot(*d[1]) + (w[0].dot(levers[0].cross) + w[1].dot(levers[1].cross))
             }
 
             #[inline(always)]
             fn inverse_mass(inv_masses: [Self; 2], levers: [&Self::Lever; 2]) -> Self {
                 let [a, b] = levers;
                 (inv_masses[0] + inv_masses[1]) + (a.cross.dot(a.turn) + b.cross.dot(b.turn))
-            }
-
-            #[inline(always)]
-            fn coupling(levers: [&Self::Lever; 2], others: [&Self::Lever; 2]) -> Self {
-                levers[0].cross.dot(others[0].turn) + levers[1].cross.dot(others[1].turn)
             }
 
             #[inline(always)]
@@ -200,6 +203,63 @@ macro_rules! float_scalar {
             ) -> bool {
                 *v += *linear.0 * (linear.1 * j);
                 *w += lever.turn * j;
+                false
+            }
+
+            #[inline(always)]
+            fn arm(r: &Vec3<Self>, inv_inertia: &SymMat3<Self>, (): ()) -> Self::Arm {
+                let [x, y, z] = inv_inertia.columns();
+                FloatArm { r: *r, turn: [x.cross(*r), y.cross(*r), z.cross(*r)] }
+            }
+
+            #[inline(always)]
+            fn contact_velocity(v: [&Vec3<Self>; 2], w: [&Vec3<Self>; 2], r: [&Vec3<Self>; 2]) -> Block<Self> {
+                let turned = w[1].cross(*r[1]) - w[0].cross(*r[0]);
+                Block { mantissas: (*v[1] - *v[0]) + turned, exponent: () }
+            }
+
+            #[inline(always)]
+            fn contact_inverse_mass(inv_masses: [Self; 2], arms: [&Self::Arm; 2]) -> SymBlock<Self> {
+                let m = inv_masses[0] + inv_masses[1];
+                let (a, b) = (arms[0].inverse_mass(), arms[1].inverse_mass());
+                let mantissas = SymMat3 {
+                    xx: m + (a.xx + b.xx),
+                    xy: a.xy + b.xy,
+                    xz: a.xz + b.xz,
+                    yy: m + (a.yy + b.yy),
+                    yz: a.yz + b.yz,
+                    zz: m + (a.zz + b.zz),
+                };
+                SymBlock { mantissas, exponent: () }
+            }
+
+            #[inline(always)]
+            fn contact_impulse(
+                _: &SymBlock<Self>,
+                _: &Block<Self>,
+                _: &Vec3<Self>,
+                _: [Self; 2],
+            ) -> Option<(BlockImpulse<Self>, bool)> {
+                None
+            }
+
+            #[inline(always)]
+            fn from_block(mantissa: Self, (): ()) -> (Self, bool) {
+                (mantissa, false)
+            }
+
+            #[inline(always)]
+            fn kick(
+                (v, w): (&mut Vec3<Self>, &mut Vec3<Self>),
+                (inv_mass, inv_inertia): (Self, &SymMat3<Self>),
+                r: &Vec3<Self>,
+                _: &Self::Arm,
+                j: &Block<Self>,
+            ) -> bool {
+                // Read once more, not kept: in between there are more numbers than registers.
+                core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
+                *v += j.mantissas * inv_mass;
+                *w += inv_inertia.times(r.cross(j.mantissas));
                 false
             }
 
@@ -257,6 +317,11 @@ macro_rules! float_scalar {
 
             #[inline(always)]
             fn raised(self, (): ()) -> Self {
+                self
+            }
+
+            #[inline(always)]
+            fn lowered(self, (): ()) -> Self {
                 self
             }
 

@@ -156,6 +156,17 @@ const INVERSE_ROOT_SEED: [u8; 64] = {
     table
 };
 
+/// `2^46 / sqrt(a)` for `a >= 2^30`, between 2^30 and 2^31; off by at most 2^-24 in relative terms.
+#[inline(always)]
+pub(crate) const fn inverse_root(a: u32) -> u32 {
+    let y0 = INVERSE_ROOT_SEED[(a >> 26) as usize] as u32 | 256;
+    let rest_q30 = (3u32 << 30).wrapping_sub((a >> 18).wrapping_mul(y0.wrapping_mul(y0)));
+    let y1_q16 = y0.wrapping_mul(rest_q30 >> 16) >> 7;
+    let root_q31 = (a as u64).wrapping_mul(y1_q16 as u64) >> 17;
+    let rest_q30 = (3u32 << 30).wrapping_sub((root_q31.wrapping_mul(y1_q16 as u64) >> 17) as u32);
+    (((y1_q16 << 14) as u64).wrapping_mul(rest_q30 as u64) >> 31) as u32
+}
+
 /// The square root of `x`, cut to an integer.
 ///
 /// Two Newton steps `y (3 - a y^2)/2` for the inverse root of the leading 32 bits give the root to 25 bits, what is left of
@@ -169,12 +180,7 @@ const fn floor_sqrt(x: u64) -> u32 {
     let n = x.wrapping_shl(places);
     // n / 2^64 in [1/4, 1).
     let a = (n >> 32) as u32;
-    let y0 = INVERSE_ROOT_SEED[(a >> 26) as usize] as u32 | 256;
-    let rest_q30 = (3u32 << 30).wrapping_sub((a >> 18).wrapping_mul(y0.wrapping_mul(y0)));
-    let y1_q16 = y0.wrapping_mul(rest_q30 >> 16) >> 7;
-    let root_q31 = (a as u64).wrapping_mul(y1_q16 as u64) >> 17;
-    let rest_q30 = (3u32 << 30).wrapping_sub((root_q31.wrapping_mul(y1_q16 as u64) >> 17) as u32);
-    let y2_q30 = ((y1_q16 << 14) as u64).wrapping_mul(rest_q30 as u64) >> 31;
+    let y2_q30 = inverse_root(a) as u64;
     let estimate = (a as u64).wrapping_mul(y2_q30) >> 30;
     let mut root = if estimate > u32::MAX as u64 { u32::MAX as u64 } else { estimate };
     // Below 2^42 in magnitude.

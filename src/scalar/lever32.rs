@@ -36,21 +36,39 @@ pub(super) const fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
 /// `x / 2^K` cut off, for results within 32 bits. (From halves: the compiler then knows that a product of it is one of
 /// 32-bit numbers.)
 #[inline(always)]
-const fn narrow<const K: u32>(x: i64) -> i32 {
+pub(super) const fn narrow<const K: u32>(x: i64) -> i32 {
     let (low, high) = (x as u32, (x >> 32) as u32);
     if K == 32 { high as i32 } else { (high.wrapping_shl(32 - K) | low >> K) as i32 }
 }
 
 /// `x / 2^places` cut off. `places` in `0..=31`.
 #[inline(always)]
-const fn shift_right(x: i64, places: u32) -> i64 {
+pub(super) const fn shift_right(x: i64, places: u32) -> i64 {
     let (low, high) = (x as u32, (x >> 32) as i32);
     let low = low.wrapping_shr(places) | ((high as u32) << 1).wrapping_shl(31 ^ places);
     (high.wrapping_shr(places) as i64) << 32 | low as i64
 }
 
+/// `x 2^places / 2^32` cut off, for results within 32 bits. `places` in `0..=31`.
 #[inline(always)]
-fn bits(v: &Vec3<I2F30>) -> [i32; 3] {
+pub(super) const fn shift_left(x: i64, places: u32) -> i32 {
+    ((x >> 32) as u32).wrapping_shl(places) as i32 | (x as u32 >> 1).wrapping_shr(31 ^ places) as i32
+}
+
+/// A number with as many bits as the largest of three, at least one.
+#[inline(always)]
+pub(super) const fn magnitude(v: [i32; 3]) -> u32 {
+    // x ^ (x >> 31) is |x| for this purpose, without its exception at the lowest number.
+    ((v[0] ^ (v[0] >> 31)) | (v[1] ^ (v[1] >> 31)) | (v[2] ^ (v[2] >> 31)) | 1) as u32
+}
+
+#[inline(always)]
+pub(super) fn bits_of<Frac>(v: &Vec3<FixedI32<Frac>>) -> [i32; 3] {
+    [v.x.to_bits(), v.y.to_bits(), v.z.to_bits()]
+}
+
+#[inline(always)]
+pub(super) fn bits(v: &Vec3<I2F30>) -> [i32; 3] {
     [v.x.to_bits(), v.y.to_bits(), v.z.to_bits()]
 }
 
@@ -70,10 +88,8 @@ impl Lever32 {
         exponent: i32,
         frac: i32,
     ) -> Self {
-        let r = [r.x.to_bits(), r.y.to_bits(), r.z.to_bits()];
-        // x ^ (x >> 31) is |x| for this purpose, without its exception at the lowest number.
-        let magnitude = (r[0] ^ (r[0] >> 31)) | (r[1] ^ (r[1] >> 31)) | (r[2] ^ (r[2] >> 31));
-        let places = (magnitude | 1).leading_zeros().wrapping_sub(1);
+        let r = bits_of(r);
+        let places = magnitude(r).leading_zeros().wrapping_sub(1);
         let r = [r[0].wrapping_shl(places), r[1].wrapping_shl(places), r[2].wrapping_shl(places)];
         let d = bits(d);
         let m = [d[0].wrapping_neg(), d[1].wrapping_neg(), d[2].wrapping_neg()];
@@ -97,23 +113,10 @@ impl Lever32 {
         Self { cross: c, turn: [u0, u1, u2], cross_exponent, turn_exponent }
     }
 
-    /// c . u' as a number of 64 bits and its exponent: the value is `product * 2^(exponent - 60)`.
+    /// c . u as a number of 64 bits and its exponent: the value is `product * 2^(exponent - 60)`.
     #[inline(always)]
-    fn coupling(&self, other: &Self) -> (i64, i32) {
-        (dot(self.cross, other.turn), self.cross_exponent.wrapping_add(other.turn_exponent))
-    }
-
-    /// The sum of the columns u of three levers of one arm, times factors within +-1/2.
-    #[inline(never)]
-    pub(super) fn blend(levers: [&Self; 3], factors: [i32; 3]) -> Self {
-        let [a, b, c] = [&levers[0].turn, &levers[1].turn, &levers[2].turn];
-        // Below 3 * 2^29.8 * 2^29.
-        let turn = [
-            narrow::<30>(dot([a[0], b[0], c[0]], factors)),
-            narrow::<30>(dot([a[1], b[1], c[1]], factors)),
-            narrow::<30>(dot([a[2], b[2], c[2]], factors)),
-        ];
-        Self { turn, ..*levers[0] }
+    fn inverse_mass(&self) -> (i64, i32) {
+        (dot(self.cross, self.turn), self.cross_exponent.wrapping_add(self.turn_exponent))
     }
 
     #[inline(always)]
@@ -201,7 +204,7 @@ fn mass_term(inv_mass: Scaled32) -> (u32, i32) {
 /// c . u with 30 bits. Never negative, and cutting off must not make it so.
 #[inline(always)]
 fn turn_term(lever: &Lever32) -> (u32, i32) {
-    let (product, exponent) = lever.coupling(lever);
+    let (product, exponent) = lever.inverse_mass();
     // Below 2^59.6.
     let product = if product < 0 { 0 } else { narrow::<28>(product) as u32 };
     let zeros = (product | 1).leading_zeros();
@@ -212,17 +215,4 @@ fn turn_term(lever: &Lever32) -> (u32, i32) {
 #[inline(always)]
 pub(super) fn inverse_mass(inv_masses: [Scaled32; 2], levers: [&Lever32; 2]) -> Scaled32 {
     sum([mass_term(inv_masses[0]), mass_term(inv_masses[1]), turn_term(levers[0]), turn_term(levers[1])])
-}
-
-/// c . u' with 30 bits.
-#[inline(always)]
-fn coupling_term(lever: &Lever32, other: &Lever32) -> Scaled32 {
-    let (product, exponent) = lever.coupling(other);
-    Scaled32::cut(product, exponent.wrapping_sub(60))
-}
-
-/// c . u' of both bodies.
-#[inline(always)]
-pub(super) fn coupling(levers: [&Lever32; 2], others: [&Lever32; 2]) -> Scaled32 {
-    coupling_term(levers[0], others[0]) + coupling_term(levers[1], others[1])
 }

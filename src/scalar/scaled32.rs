@@ -298,14 +298,15 @@ impl Scaled for Scaled32 {
     }
 
     #[inline]
+    fn lowered(self, exponent: i32) -> I2F30 {
+        I2F30::from_bits(shift_product(self.mantissa as i64, exponent.wrapping_sub(self.exponent)) as i32)
+    }
+
+    #[inline]
     fn align3(v: [Self; 3]) -> ([I2F30; 3], i32) {
         let exponent_of = |x: Self| if x.mantissa == 0 { -LIMIT } else { x.exponent };
         // One place of headroom: components within 1/2.
         let exponent = exponent_of(v[0]).max(exponent_of(v[1])).max(exponent_of(v[2])).wrapping_add(1);
-        let align = |x: Self| {
-            let down = exponent.wrapping_sub(x.exponent);
-            I2F30::from_bits(shift_product(x.mantissa as i64, down) as i32)
-        };
-        ([align(v[0]), align(v[1]), align(v[2])], exponent.max(-LIMIT))
+        ([v[0].lowered(exponent), v[1].lowered(exponent), v[2].lowered(exponent)], exponent.max(-LIMIT))
     }
 }

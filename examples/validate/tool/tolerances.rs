@@ -129,8 +129,8 @@ const STORED: &str = "a few roundings to 30 bits of what is added up";
 pub const TABLE: &[Tolerance] = &[
     entry(BOTH, ALL, Q::Law, All, 2.5e-14, Found, "some 100 roundings to 53 bits in the closed form"),
     entry(BOTH, FIXED, Q::StoredImpulse, All, 6.0, Found, STORED),
-    entry(BOTH, FIXED, Q::StoredVelocity, All, 7.0, Found, STORED),
-    entry(BOTH, FIXED, Q::StoredSpin, All, 20.0, Found, STORED),
+    entry(BOTH, FIXED, Q::StoredVelocity, All, 6.0, Found, STORED),
+    entry(BOTH, FIXED, Q::StoredSpin, All, 15.0, Found, STORED),
     entry(
         IMPULSES,
         &[Number::I16F16],
@@ -169,7 +169,7 @@ pub const TABLE: &[Tolerance] = &[
     entry(BOTH, MICROMATH, Q::ImpulseRelative, Clear, 1e-4, Required, CANCELS),
     entry(BOTH, MICROMATH, Q::VelocityImage, All, 1e-4, Required, IMAGE),
     entry(BOTH, MICROMATH, Q::SpinImage, All, 1e-4, Required, IMAGE),
-    entry(BOTH, MICROMATH, Q::StoredImpulse, All, 4.0, Found, "its root, of which five bits are lost"),
-    entry(BOTH, MICROMATH, Q::StoredVelocity, All, 3.2, Found, IMAGE),
+    entry(BOTH, MICROMATH, Q::StoredImpulse, All, 3.0, Found, "its root, of which five bits are lost"),
+    entry(BOTH, MICROMATH, Q::StoredVelocity, All, 3.0, Found, IMAGE),
     entry(IMPULSES, MICROMATH, Q::SpinImage, All, 1.5e-6, Found, IMAGE),
 ];

@@ -1,0 +1,97 @@
+//! Blocks: several numbers under one power of two. In floating point the numbers themselves.
+
+use super::{SymMat3, Vec3};
+use crate::scalar::{Scalar, Scaled};
+
+/// A vector of any magnitude: in fixed point mantissas of Q2.30, up to twice the largest of them below one half.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Block<S: Scalar> {
+    /// The components, to be multiplied by the power of two.
+    pub mantissas: Vec3<S::Unit>,
+    /// The power of two.
+    pub exponent: S::Exponent,
+}
+
+/// A symmetric 3x3 matrix of any magnitude.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SymBlock<S: Scalar> {
+    /// The six numbers, to be multiplied by the power of two.
+    pub mantissas: SymMat3<S::Unit>,
+    /// The power of two.
+    pub exponent: S::Exponent,
+}
+
+/// An impulse of any magnitude in a contact: three vectors under one power of two.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BlockImpulse<S: Scalar> {
+    /// Along the normal.
+    pub normal: S::Unit,
+    /// Across the normal.
+    pub across: Vec3<S::Unit>,
+    /// The sum of both.
+    pub whole: Vec3<S::Unit>,
+    /// The power of two.
+    pub exponent: S::Exponent,
+}
+
+impl<S: Scalar> Block<S> {
+    /// Three numbers as a block, with mantissas within 1/2 in fixed point.
+    #[inline(always)]
+    pub(crate) fn align(v: [S::Scaled; 3]) -> Self {
+        let (mantissas, exponent) = S::Scaled::align3(v);
+        Self { mantissas: Vec3::from_array(mantissas), exponent }
+    }
+
+    /// The three numbers.
+    #[inline(always)]
+    pub(crate) fn to_scaled(self) -> [S::Scaled; 3] {
+        let Vec3 { x, y, z } = self.mantissas;
+        [scaled::<S>(x, self.exponent), scaled::<S>(y, self.exponent), scaled::<S>(z, self.exponent)]
+    }
+
+    /// The opposite vector.
+    #[inline(always)]
+    pub(crate) fn opposite(&self) -> Self {
+        Self { mantissas: S::opposite(&self.mantissas), exponent: self.exponent }
+    }
+}
+
+impl<S: Scalar> BlockImpulse<S> {
+    /// An impulse under one power of two, in fixed point with mantissas of the whole within 1/2.
+    #[inline(always)]
+    pub(crate) fn align(normal: S::Scaled, across: [S::Scaled; 3], whole: [S::Scaled; 3]) -> Self {
+        let Block { mantissas, exponent } = Block::<S>::align(whole);
+        let [x, y, z] = across;
+        let across = Vec3::new(x.lowered(exponent), y.lowered(exponent), z.lowered(exponent));
+        Self { normal: normal.lowered(exponent), across, whole: mantissas, exponent }
+    }
+
+    /// Along the normal, across it, and the whole.
+    #[inline(always)]
+    pub(crate) fn to_scaled(self) -> (S::Scaled, [S::Scaled; 3], [S::Scaled; 3]) {
+        let vector = |mantissas: Vec3<S::Unit>| Block::<S> { mantissas, exponent: self.exponent }.to_scaled();
+        (scaled::<S>(self.normal, self.exponent), vector(self.across), vector(self.whole))
+    }
+}
+
+impl<S: Scalar> SymBlock<S> {
+    /// The six numbers: xx, xy, xz, yy, yz, zz.
+    #[inline(always)]
+    pub(crate) fn to_scaled(self) -> [S::Scaled; 6] {
+        let SymMat3 { xx, xy, xz, yy, yz, zz } = self.mantissas;
+        let e = self.exponent;
+        [
+            scaled::<S>(xx, e),
+            scaled::<S>(xy, e),
+            scaled::<S>(xz, e),
+            scaled::<S>(yy, e),
+            scaled::<S>(yz, e),
+            scaled::<S>(zz, e),
+        ]
+    }
+}
+
+#[inline(always)]
+fn scaled<S: Scalar>(mantissa: S::Unit, exponent: S::Exponent) -> S::Scaled {
+    mantissa.to_scaled().raised(exponent)
+}

@@ -1,0 +1,206 @@
+//! Arms in fixed point: what a contact point's velocity is, and what it opposes to impulses in any direction.
+//!
+//! As in `lever32.rs`: blocks of 32-bit mantissas under one power of two, made of the upper parts of 64-bit sums, cut off. No
+//! sum here can leave 64 bits: |W| < 2^30.8 for W = I^-1 (r x .), since the trace of a tensor's block is at most 2^29.
+
+use fixed::FixedI32;
+use fixed::types::I2F30;
+
+use super::lever32::{bits_of, dot, magnitude, narrow, product, shift_left, shift_right};
+use super::scaled32::Scaled32;
+use super::{Scalar, Scaled};
+use crate::math::{SymMat3, Vec3};
+
+/// An arm r in fixed point, and W = I^-1 (r x .).
+#[derive(Clone, Copy, Debug)]
+pub struct Arm32 {
+    /// Within 2^30, in units of `2^exponent`.
+    r: [i32; 3],
+    exponent: i32,
+    /// The rows of W, in units of `2^turn_exponent`.
+    turn: [[i32; 3]; 3],
+    turn_exponent: i32,
+}
+
+/// `a b - c d` without its last 29 places.
+#[inline(always)]
+fn minor(a: i32, b: i32, c: i32, minus_d: i32) -> i32 {
+    narrow::<29>(product(a, b).wrapping_add(product(c, minus_d)))
+}
+
+impl Arm32 {
+    /// For an arm whose components are `r` units of 2^-frac.
+    #[inline(never)]
+    pub(super) fn new(r: [i32; 3], inv_inertia: &SymMat3<I2F30>, exponent: i32, frac: i32) -> Self {
+        let places = magnitude(r).leading_zeros().wrapping_sub(1);
+        // Exact but for arms of 31 bits, which lose the last; and what follows can change their signs.
+        let fill = |x: i32| x.wrapping_shl(places) >> 1;
+        let r = [fill(r[0]), fill(r[1]), fill(r[2])];
+        let m = [r[0].wrapping_neg(), r[1].wrapping_neg(), r[2].wrapping_neg()];
+        // No arm, no say in which power of two a sum takes.
+        let of_arm = if r[0] | r[1] | r[2] == 0 {
+            Scaled32::LOWEST
+        } else {
+            1i32.wrapping_sub(frac).wrapping_sub(places as i32)
+        };
+        let row = |x: I2F30, y: I2F30, z: I2F30| {
+            let (x, y, z) = (x.to_bits(), y.to_bits(), z.to_bits());
+            [minor(y, r[2], z, m[1]), minor(z, r[0], x, m[2]), minor(x, r[1], y, m[0])]
+        };
+        let SymMat3 { xx, xy, xz, yy, yz, zz } = *inv_inertia;
+        Self {
+            r,
+            exponent: of_arm,
+            turn: [row(xx, xy, xz), row(xy, yy, yz), row(xz, yz, zz)],
+            turn_exponent: of_arm.wrapping_add(exponent).wrapping_sub(1),
+        }
+    }
+
+    /// W j for a vector within 2^30.8, cut off by 2^32, and its exponent.
+    #[inline(always)]
+    pub(super) fn turn(&self, j: [i32; 3]) -> ([i32; 3], i32) {
+        let [x, y, z] = self.turn;
+        // Below 3 2^60.
+        let turn = [narrow::<32>(dot(x, j)), narrow::<32>(dot(y, j)), narrow::<32>(dot(z, j))];
+        (turn, self.turn_exponent.wrapping_add(32))
+    }
+
+    #[inline(always)]
+    fn inverse_mass_exponent(&self) -> i32 {
+        self.exponent.wrapping_add(self.turn_exponent)
+    }
+
+    /// The arm in units of `2^places` of its own.
+    #[inline(always)]
+    fn lowered(&self, places: i32) -> [i32; 3] {
+        let places = if places > 31 { 31 } else { places as u32 };
+        [self.r[0].wrapping_shr(places), self.r[1].wrapping_shr(places), self.r[2].wrapping_shr(places)]
+    }
+}
+
+/// (r x .)^T W of both bodies and `least` on the diagonal, as 64-bit sums: xx, xy, xz, yy, yz, zz.
+#[inline(always)]
+fn inverse_mass_sums(a: &Arm32, b: &Arm32, r: [[i32; 3]; 2], least: i64) -> [i64; 6] {
+    let [ra, rb] = r;
+    let [ax, ay, az] = a.turn;
+    let [bx, by, bz] = b.turn;
+    let [ma, mb] = [ra[0].wrapping_neg(), rb[0].wrapping_neg()];
+    let [na, nb] = [ra[1].wrapping_neg(), rb[1].wrapping_neg()];
+    let [oa, ob] = [ra[2].wrapping_neg(), rb[2].wrapping_neg()];
+    let four = |p: i64, q: i64, r: i64, s: i64| p.wrapping_add(q).wrapping_add(r).wrapping_add(s);
+    [
+        least.wrapping_add(four(product(ay[0], ra[2]), product(az[0], na), product(by[0], rb[2]), product(bz[0], nb))),
+        four(product(ay[1], ra[2]), product(az[1], na), product(by[1], rb[2]), product(bz[1], nb)),
+        four(product(ay[2], ra[2]), product(az[2], na), product(by[2], rb[2]), product(bz[2], nb)),
+        least.wrapping_add(four(product(az[1], ra[0]), product(ax[1], oa), product(bz[1], rb[0]), product(bx[1], ob))),
+        four(product(az[2], ra[0]), product(ax[2], oa), product(bz[2], rb[0]), product(bx[2], ob)),
+        least.wrapping_add(four(product(ax[2], ra[1]), product(ay[2], ma), product(bx[2], rb[1]), product(by[2], mb))),
+    ]
+}
+
+/// K of a contact: a block whose largest element has 31 bits, and its exponent.
+#[inline(always)]
+pub(super) fn inverse_mass(inv_masses: [Scaled32; 2], arms: [&Arm32; 2]) -> ([i32; 6], i32) {
+    let [ma, mb] = inv_masses;
+    let [a, b] = arms;
+    // The masses as one number of 31 bits, in units of 2^(top - 30).
+    let top = max(ma.exponent(), mb.exponent());
+    let masses = lowered(ma, top).wrapping_add(lowered(mb, top));
+    // The common unit: that of the larger arm, or where the masses outweigh them by far, theirs. Sums stay below 2^62.9.
+    let (of_a, of_b) = (a.inverse_mass_exponent(), b.inverse_mass_exponent());
+    let unit = max(max(of_a, of_b), top.wrapping_sub(60));
+    let r = [a.lowered(unit.wrapping_sub(of_a)), b.lowered(unit.wrapping_sub(of_b))];
+    let down = unit.wrapping_sub(top).wrapping_add(60);
+    let least = if down > 31 { far_mass(masses, down) } else { shift_right((masses as i64) << 30, down as u32) };
+    let [xx, xy, xz, yy, yz, zz] = inverse_mass_sums(a, b, r, least);
+    let largest = max(max((xx >> 32) as i32, (yy >> 32) as i32), (zz >> 32) as i32) | 1;
+    let up = largest.leading_zeros().wrapping_sub(1);
+    let k = [
+        shift_left(xx, up),
+        shift_left(xy, up),
+        shift_left(xz, up),
+        shift_left(yy, up),
+        shift_left(yz, up),
+        shift_left(zz, up),
+    ];
+    (k, unit.wrapping_add(32).wrapping_sub(up as i32))
+}
+
+/// `masses 2^30 / 2^down` for masses that hardly count beside the arms.
+#[cold]
+#[inline(never)]
+fn far_mass(masses: u32, down: i32) -> i64 {
+    ((masses as i64) << 30) >> if down > 63 { 63 } else { down }
+}
+
+#[inline(always)]
+const fn max(a: i32, b: i32) -> i32 {
+    if a < b { b } else { a }
+}
+
+/// The mantissa of a number that is not negative, in units of 2^(top - 30).
+#[inline(always)]
+fn lowered(x: Scaled32, top: i32) -> u32 {
+    let down = top.wrapping_sub(x.exponent()) as u32;
+    (x.mantissa() as u32).wrapping_shr(if down > 31 { 31 } else { down })
+}
+
+/// v + w x r of the second body less that of the first, for components in units of 2^-frac: mantissas within 2^29 and their
+/// exponent.
+#[inline(always)]
+pub(super) fn velocity<F>(
+    v: [&Vec3<FixedI32<F>>; 2],
+    w: [&Vec3<FixedI32<F>>; 2],
+    r: [&Vec3<FixedI32<F>>; 2],
+    frac: i32,
+) -> Option<([i32; 3], i32)> {
+    let ([va, vb], [wa, wb], [ra, rb]) =
+        ([bits_of(v[0]), bits_of(v[1])], [bits_of(w[0]), bits_of(w[1])], [bits_of(r[0]), bits_of(r[1])]);
+    let room = |w: [i32; 3], r: [i32; 3]| magnitude(w).leading_zeros().wrapping_add(magnitude(r).leading_zeros());
+    // Products of 60 bits: four of them and the velocities stay within 63. And what can change its sign.
+    let small = (magnitude(wa) | magnitude(wb)) >> 30 == 0;
+    if !small || room(wa, ra) < 4 || room(wb, rb) < 4 {
+        return None;
+    }
+    let m = [wa[0].wrapping_neg(), wa[1].wrapping_neg(), wa[2].wrapping_neg()];
+    let one = 1i32.wrapping_shl(frac as u32);
+    let component = |x: usize, y: usize, z: usize| {
+        let turned_b = product(wb[y], rb[z]).wrapping_sub(product(wb[z], rb[y]));
+        let turned_a = product(m[y], ra[z]).wrapping_sub(product(m[z], ra[y]));
+        product(vb[x], one).wrapping_sub(product(va[x], one)).wrapping_add(turned_b).wrapping_add(turned_a)
+    };
+    Some(leading(component(0, 1, 2), component(1, 2, 0), component(2, 0, 1), frac.wrapping_mul(-2)))
+}
+
+/// Three 64-bit numbers as a block within 2^29, rounded, and their exponent with it.
+#[inline(always)]
+fn leading(x: i64, y: i64, z: i64, exponent: i32) -> ([i32; 3], i32) {
+    let high = |x: i64, y: i64, z: i64| magnitude([(x >> 32) as i32, (y >> 32) as i32, (z >> 32) as i32]);
+    let (mut x, mut y, mut z, mut exponent) = (x, y, z, exponent);
+    if high(x, y, z) == 1 {
+        // Within 2^33, and exact from here on.
+        (x, y, z, exponent) = (x << 28, y << 28, z << 28, exponent.wrapping_sub(28));
+    }
+    let up = high(x, y, z).leading_zeros().wrapping_sub(1);
+    let rounded = |x: i64| (shift_left(x, up) >> 1).wrapping_add(1) >> 1;
+    ([rounded(x), rounded(y), rounded(z)], exponent.wrapping_add(34).wrapping_sub(up as i32))
+}
+
+/// The same by numbers with exponents of their own, for what is near the end of the range.
+#[cold]
+#[inline(never)]
+pub(super) fn far_velocity<S: Scalar<Scaled = Scaled32>>(
+    v: [&Vec3<S>; 2],
+    w: [&Vec3<S>; 2],
+    r: [&Vec3<S>; 2],
+) -> ([I2F30; 3], i32) {
+    let scaled = |v: &Vec3<S>| [v.x.to_scaled(), v.y.to_scaled(), v.z.to_scaled()];
+    let ([va, vb], [wa, wb], [ra, rb]) =
+        ([scaled(v[0]), scaled(v[1])], [scaled(w[0]), scaled(w[1])], [scaled(r[0]), scaled(r[1])]);
+    let component = |x: usize, y: usize, z: usize| {
+        let turned_b = wb[y] * rb[z] - wb[z] * rb[y];
+        let turned_a = wa[y] * ra[z] - wa[z] * ra[y];
+        (vb[x] - va[x]) + (turned_b - turned_a)
+    };
+    Scaled32::align3([component(0, 1, 2), component(1, 2, 0), component(2, 0, 1)])
+}

@@ -1,0 +1,367 @@
+//! One contact with friction in fixed point: the equations of `impulse/friction.rs` and `impulse/slip.rs` in integers.
+//!
+//! Every quantity is brought to 30 bits once and keeps a fixed place from there on; sums of products are exact in 64 bits and
+//! cut off. That takes well-conditioned contacts: where one of the guards below fails, the caller solves the same
+//! equations in [`Scaled32`](super::scaled32::Scaled32), whose numbers keep an exponent each. Products and sums of numbers
+//! in Q2.30 are written `times30`; the bound that keeps a result within 32 bits stands beside it where it is not plain.
+
+use super::integer::{high_product, inverse_root, long_quotient, reciprocal};
+use super::lever32::{dot, magnitude, narrow, product, shift_left};
+
+/// An impulse in units of 2^exponent: along the normal, across it, and the whole. Its length is within 2^30.5 where they slide, and its components within 2^30 where they stick.
+pub(super) struct Impulse32 {
+    pub normal: i32,
+    pub across: [i32; 3],
+    pub whole: [i32; 3],
+    pub exponent: i32,
+    pub stuck: bool,
+}
+
+/// A contact: K, whose largest element has 31 bits; the relative velocity within 2^29; both in units of a power of two. The unit
+/// normal, restitution and friction in Q2.30.
+pub(super) struct Contact32 {
+    pub inverse_mass: [i32; 6],
+    pub inverse_mass_exponent: i32,
+    pub velocity: [i32; 3],
+    pub velocity_exponent: i32,
+    pub normal: [i32; 3],
+    pub restitution: i32,
+    pub friction: i32,
+}
+
+const ONE: i32 = 1 << 30;
+
+#[inline(always)]
+fn times30(a: i32, b: i32) -> i32 {
+    narrow::<30>(product(a, b))
+}
+
+#[inline(always)]
+fn dot30(a: [i32; 3], b: [i32; 3]) -> i32 {
+    narrow::<30>(dot(a, b))
+}
+
+#[inline(always)]
+fn dot2(a: [i32; 2], b: [i32; 2]) -> i64 {
+    product(a[0], b[0]).wrapping_add(product(a[1], b[1]))
+}
+
+#[inline(always)]
+fn high(x: i64) -> i32 {
+    (x >> 32) as i32
+}
+
+/// The leading 32 bits of a positive number, for the number of its leading zeros.
+#[inline(always)]
+fn leading(x: i64, zeros: u32) -> u32 {
+    ((x as u64) << zeros >> 32) as u32
+}
+
+#[inline(always)]
+const fn max(a: i32, b: i32) -> i32 {
+    if a < b { b } else { a }
+}
+
+/// `2^61 / d` for `d` in `[2^31, 2^32)`.
+#[inline(always)]
+fn inverse(d: u32) -> i32 {
+    long_quotient(1 << 31, d) as i32
+}
+
+impl Contact32 {
+    /// The rows of K.
+    #[inline(always)]
+    fn rows(&self) -> [[i32; 3]; 3] {
+        let [xx, xy, xz, yy, yz, zz] = self.inverse_mass;
+        [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+    }
+
+    /// The impulse, for approaching points; nothing where the contact is not well conditioned.
+    #[inline(always)]
+    pub fn solve(&self) -> Option<Impulse32> {
+        // |v_n| < 2^29.8, and v_n' - v_n, twice that at most.
+        let speed = dot30(self.velocity, self.normal);
+        let bounce = times30(self.restitution, speed);
+        let stuck = self.sticking(bounce)?;
+        if stuck.stuck { Some(stuck) } else { self.sliding(speed.wrapping_add(bounce)) }
+    }
+
+    /// The impulse that brings v_n' = -e v_n and v_t' = 0, from the adjugate of K, and whether friction can hold it.
+    #[inline(always)]
+    fn sticking(&self, bounce: i32) -> Option<Impulse32> {
+        let n = self.normal;
+        let [xx, xy, xz, yy, yz, zz] = self.inverse_mass;
+        let minus = [xy.wrapping_neg(), xz.wrapping_neg(), yz.wrapping_neg()];
+        let minor = |a: i32, b: i32, c: i32, d: i32| product(a, b).wrapping_add(product(c, d));
+        let (a_xx, a_yy, a_zz) =
+            (minor(yy, zz, yz, minus[2]), minor(xx, zz, xz, minus[1]), minor(xx, yy, xy, minus[0]));
+        let (a_xy, a_xz, a_yz) =
+            (minor(xz, yz, minus[0], zz), minor(xy, yz, minus[1], yy), minor(xy, xz, xx, minus[2]));
+        let up = (max(max(high(a_xx), high(a_yy)), high(a_zz)) | 1).leading_zeros().wrapping_sub(1);
+        let rows = [
+            [shift_left(a_xx, up), shift_left(a_xy, up), shift_left(a_xz, up)],
+            [shift_left(a_xy, up), shift_left(a_yy, up), shift_left(a_yz, up)],
+            [shift_left(a_xz, up), shift_left(a_yz, up), shift_left(a_zz, up)],
+        ];
+        // Of 2^62 at most; digits are lost by as much as it is less.
+        let determinant = dot([xx, xy, xz], rows[0]);
+        if determinant < 1 << LEAST_DETERMINANT {
+            return None;
+        }
+        let zeros = determinant.leading_zeros();
+        let over = inverse(leading(determinant, zeros));
+        let v = self.velocity;
+        let v = [
+            v[0].wrapping_add(times30(bounce, n[0])),
+            v[1].wrapping_add(times30(bounce, n[1])),
+            v[2].wrapping_add(times30(bounce, n[2])),
+        ];
+        // |v| < 2^30.8, and a row of the adjugate is below 2^31.8.
+        let [x, y, z] = [dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)];
+        let up = magnitude([high(x), high(y), high(z)]).leading_zeros().wrapping_sub(1);
+        let component = |x: i64| times30(shift_left(x, up) >> 1, over).wrapping_neg();
+        let whole = [component(x), component(y), component(z)];
+        let normal = dot30(whole, n);
+        let across = [
+            whole[0].wrapping_sub(times30(normal, n[0])),
+            whole[1].wrapping_sub(times30(normal, n[1])),
+            whole[2].wrapping_sub(times30(normal, n[2])),
+        ];
+        let limit = narrow::<31>(product(self.friction, normal));
+        let stuck = normal > 0 && dot(across, across) >> 2 <= product(limit, limit);
+        let exponent = (zeros as i32)
+            .wrapping_sub(up as i32)
+            .wrapping_sub(30)
+            .wrapping_add(self.velocity_exponent)
+            .wrapping_sub(self.inverse_mass_exponent);
+        Some(Impulse32 { normal, across, whole, exponent, stuck })
+    }
+
+    /// The impulse on the friction cone, for b = (1 + e) v_n.
+    #[inline(always)]
+    fn sliding(&self, b: i32) -> Option<Impulse32> {
+        let n = self.normal;
+        let [t1, t2] = tangents(n);
+        let [x, y, z] = self.rows();
+        let half = |d: [i32; 3]| [narrow::<31>(dot(x, d)), narrow::<31>(dot(y, d)), narrow::<31>(dot(z, d))];
+        // All of K in units twice its own.
+        let (k_n, k_1) = (half(n), half(t1));
+        let (nn, n1, n2) = (dot30(k_n, n), dot30(k_n, t1), dot30(k_n, t2));
+        if nn < 1 << 27 {
+            return None;
+        }
+        let (k11, k12) = (dot30(k_1, t1), dot30(k_1, t2));
+        let trace = (x[0] >> 1).wrapping_add(y[1] >> 1).wrapping_add(z[2] >> 1);
+        let k22 = trace.wrapping_sub(nn).wrapping_sub(k11);
+
+        // K_nt / K_nn in Q5.27.
+        let nn_zeros = nn.leading_zeros();
+        let over_nn = inverse((nn as u32) << nn_zeros);
+        let quotient = |x: i32| times30(x, over_nn) >> 4u32.wrapping_sub(nn_zeros);
+        let g = [quotient(n1), quotient(n2)];
+        let less = |k: i32, a: i32, g: i32| k.wrapping_sub(narrow::<27>(product(a, g)));
+        let (s11, s12, s22) = (less(k11, n1, g[0]), less(k12, n1, g[1]), less(k22, n2, g[1]));
+        let m = max(s11, s22);
+        if m < 1 << 24 {
+            return None;
+        }
+
+        // S over its larger diagonal element in Q2.30.
+        let m_zeros = m.leading_zeros();
+        let over_m = inverse((m as u32) << m_zeros);
+        let part = |s: i32| {
+            let s = if s > m { m } else { s };
+            times30(s << m_zeros.wrapping_sub(1), over_m)
+        };
+        let (s11, s22) = (part(max(s11, 0)), part(max(s22, 0)));
+        let s12 = part(max(s12, m.wrapping_neg()));
+        let determinant = narrow::<30>(product(s11, s22).wrapping_sub(product(s12, s12)));
+        if determinant < 1 << 14 {
+            return None;
+        }
+
+        // q in units of 2^(7 - up) of the velocity, within 2^29.
+        let q = |t: [i32; 3], g: i32| (dot(self.velocity, t) >> 3).wrapping_sub(product(g, b));
+        let q = [q(t1, g[0]), q(t2, g[1])];
+        let up = magnitude([high(q[0]), high(q[1]), 0]).leading_zeros().wrapping_sub(1);
+        let q = [shift_left(q[0], up) >> 2, shift_left(q[1], up) >> 2];
+
+        // mu m / K_nn in Q(nn_zeros + 2).30, and times -b in the units of q.
+        let load = narrow::<31>(product(self.friction, times30(m, over_nn)));
+        let load = product(load, b.wrapping_neg()) >> 37u32.wrapping_sub(nn_zeros).wrapping_sub(up);
+        let minus = self.friction.wrapping_neg();
+        let coupling = [product(minus, g[0]), product(minus, g[1])];
+        // -mu K_nt / K_nn within 1, and at least a few bits of sliding left.
+        if load >= 1 << 30 || up > 24 || magnitude([high(coupling[0]), high(coupling[1]), 0]) >= 1 << 25 {
+            return None;
+        }
+        let slip = Slip32 {
+            q,
+            p: [
+                narrow::<30>(dot2([s22.wrapping_sub(ONE), s12.wrapping_neg()], q)),
+                narrow::<30>(dot2([s12.wrapping_neg(), s11.wrapping_sub(ONE)], q)),
+            ],
+            half_trace: (s11 >> 1).wrapping_add(s22 >> 1),
+            determinant,
+            load: load as i32,
+            coupling: [narrow::<27>(coupling[0]), narrow::<27>(coupling[1])],
+        };
+        let d = slip.direction();
+
+        // The normal row: K_nn j_n - mu j_n K_nt . d = -b.
+        let along = narrow::<30>(dot2([n1, n2], d));
+        let yields = ((nn as i64) << 30).wrapping_sub(product(self.friction, along));
+        // Where friction presses the bodies together, this is a quotient of small differences.
+        if yields < (nn as i64) << 27 {
+            return None;
+        }
+        let zeros = yields.leading_zeros();
+        let b_zeros = b.unsigned_abs().leading_zeros();
+        let quotient = long_quotient(b.unsigned_abs() << b_zeros, leading(yields, zeros));
+        // The whole within 2^30.5.
+        let places = if self.friction > ONE { 2 } else { 1 };
+        let normal = (quotient >> places) as i32;
+        let friction = times30(self.friction, normal).wrapping_neg();
+        let across = |i: usize| times30(friction, narrow::<30>(dot2([t1[i], t2[i]], d)));
+        let across = [across(0), across(1), across(2)];
+        let whole = [
+            across[0].wrapping_add(times30(normal, n[0])),
+            across[1].wrapping_add(times30(normal, n[1])),
+            across[2].wrapping_add(times30(normal, n[2])),
+        ];
+        let exponent = (zeros as i32)
+            .wrapping_sub(b_zeros as i32)
+            .wrapping_sub(33)
+            .wrapping_add(places)
+            .wrapping_add(self.velocity_exponent)
+            .wrapping_sub(self.inverse_mass_exponent);
+        Some(Impulse32 { normal, across, whole, exponent, stuck: false })
+    }
+}
+
+/// The exponent of the least determinant for which the adjugate is precise enough.
+const LEAST_DETERMINANT: u32 = 57;
+
+/// Two unit vectors across a unit vector whose last component is not below zero, and each other; as `UnitVec3::tangents`.
+#[inline(always)]
+fn tangents([x, y, z]: [i32; 3]) -> [[i32; 3]; 2] {
+    let divisor = (ONE as u32).wrapping_add(z as u32);
+    let zeros = divisor.leading_zeros();
+    let a = inverse(divisor << zeros) >> 1u32.wrapping_sub(zeros);
+    let (xa, ya) = (times30(x, a), times30(y, a));
+    let b = times30(xa, y).wrapping_neg();
+    [[ONE.wrapping_sub(times30(x, xa)), b, x.wrapping_neg()], [b, ONE.wrapping_sub(times30(y, ya)), y.wrapping_neg()]]
+}
+
+/// The equation of `impulse/slip.rs`, squared so that no root has to be taken: (t |N|)^2 = B^2, B = load D - t coupling . N
+/// with coupling = -mu K_nt / K_nn.
+/// All in Q2.30 but q, p and the load, which have a common unit and are within 2^29, 2^29.5 and 2^30.
+struct Slip32 {
+    q: [i32; 2],
+    p: [i32; 2],
+    half_trace: i32,
+    determinant: i32,
+    load: i32,
+    coupling: [i32; 2],
+}
+
+impl Slip32 {
+    /// N(t)
+    #[inline(always)]
+    fn numerator(&self, t: i32) -> [i32; 2] {
+        [self.q[0].wrapping_add(times30(t, self.p[0])), self.q[1].wrapping_add(times30(t, self.p[1]))]
+    }
+
+    /// B, the difference of the squares, and half its derivative.
+    #[inline(always)]
+    fn excess(&self, t: i32) -> (i32, i64, i64) {
+        let tp = [times30(t, self.p[0]), times30(t, self.p[1])];
+        let n = [self.q[0].wrapping_add(tp[0]), self.q[1].wrapping_add(tp[1])];
+        let tn = [times30(t, n[0]), times30(t, n[1])];
+        // d(t N)/dt, no longer than q.
+        let m = [n[0].wrapping_add(tp[0]), n[1].wrapping_add(tp[1])];
+        let rest = ONE.wrapping_sub(t);
+        let (th, td) = (times30(t, self.half_trace), times30(t, self.determinant));
+        let cross = product(rest, th);
+        let d = narrow::<30>(product(rest, rest).wrapping_add(cross).wrapping_add(cross).wrapping_add(product(t, td)));
+        let half_slope = td.wrapping_sub(rest).wrapping_add(times30(self.half_trace, rest.wrapping_sub(t)));
+        let b = times30(self.load, d).wrapping_sub(narrow::<30>(dot2(self.coupling, tn)));
+        let half_b = times30(self.load, half_slope).wrapping_sub(narrow::<31>(dot2(self.coupling, m)));
+        let excess = dot2(tn, tn).wrapping_sub(product(b, b));
+        let slope = dot2(tn, m).wrapping_sub(product(b, half_b) << 1);
+        (b, excess, slope)
+    }
+
+    /// A first guess: Newton's step from t = 0, with the length of q to a few percent.
+    #[inline(always)]
+    fn guess(&self) -> i32 {
+        let (x, y) = (self.q[0].unsigned_abs(), self.q[1].unsigned_abs());
+        let (long, short) = if x < y { (y, x) } else { (x, y) };
+        let length = long.wrapping_sub(long >> 5).wrapping_add((short >> 2).wrapping_add(short >> 3));
+        let rise = (ONE.wrapping_sub(self.half_trace)) as u32;
+        let rise = high_product((self.load as u32) << 1, rise << 2);
+        let along = narrow::<30>(dot2(self.coupling, self.q));
+        let slope = length.wrapping_add(rise).wrapping_add(along as u32);
+        if (slope as i32) <= self.load {
+            return ONE >> 1;
+        }
+        let zeros = slope.leading_zeros();
+        high_product((self.load as u32) << zeros, reciprocal(slope << zeros)) as i32
+    }
+
+    /// The direction of sliding after the impact, in Q2.30.
+    #[inline(always)]
+    fn direction(&self) -> [i32; 2] {
+        let (mut low, mut high_end) = (0, ONE);
+        let mut t = self.guess();
+        for _ in 0..super::MAX_SLIP_ITERATIONS {
+            let (b, excess, slope) = self.excess(t);
+            if b < 0 || excess >= 0 {
+                high_end = t;
+            } else {
+                low = t;
+            }
+            let step = step(excess, slope);
+            let next = t.wrapping_sub(step);
+            if b > 0 && step.unsigned_abs() < SMALL_STEP {
+                t = if next < ONE { next } else { ONE };
+                break;
+            }
+            t = if b > 0 && next > low && next < high_end { next } else { low.wrapping_add(high_end) >> 1 };
+        }
+        unit(self.numerator(t))
+    }
+}
+
+/// A step after which Newton's method is at its end: half its square, or some of that, is what is left.
+const SMALL_STEP: u32 = 1 << 15;
+
+/// `excess / (2 slope)` in Q2.30, to 26 bits; beyond 1/2 something that is outside every bracket.
+#[inline(always)]
+fn step(excess: i64, slope: i64) -> i32 {
+    if slope <= 0 || (excess ^ (excess >> 63)) >= slope {
+        return i32::MAX;
+    }
+    let zeros = slope.leading_zeros();
+    let over = reciprocal(leading(slope, zeros));
+    high(product(high(excess << zeros.wrapping_sub(1)), (over >> 1) as i32)) << 1
+}
+
+/// The vector over its length, in Q2.30.
+#[inline(always)]
+fn unit(v: [i32; 2]) -> [i32; 2] {
+    let up = magnitude([v[0], v[1], 0]).leading_zeros().wrapping_sub(2);
+    let v = [v[0] << up, v[1] << up];
+    // In [2^58, 2^61).
+    let square = dot2(v, v) as u64;
+    let places = square.leading_zeros() & 62;
+    // 2^30 sqrt(2^64 / (square 2^places)), in [2^30, 2^31].
+    let root = inverse_root((square << places >> 32) as u32);
+    // v root / 2^30 2^(places / 2) / 2^32
+    let down = 32u32.wrapping_sub(places / 2);
+    let d = |x: i32| (product(x, (root >> 1) as i32) >> down.wrapping_sub(1)) as i32;
+    let d = [d(v[0]), d(v[1])];
+    // One step of Newton's for the length.
+    let lacks = narrow::<31>((1i64 << 60).wrapping_sub(dot2(d, d)));
+    [d[0].wrapping_add(times30(d[0], lacks)), d[1].wrapping_add(times30(d[1], lacks))]
+}
