@@ -28,6 +28,8 @@ mod lever32;
 #[cfg(feature = "micromath")]
 mod micromath;
 #[cfg(feature = "fixed")]
+mod product;
+#[cfg(feature = "fixed")]
 mod scaled32;
 
 #[cfg(feature = "fixed")]

@@ -6,7 +6,8 @@
 use fixed::FixedI32;
 use fixed::types::I2F30;
 
-use super::lever32::{bits_of, dot, magnitude, narrow, product, shift_left, shift_right};
+use super::lever32::{bits_of, magnitude, narrow, shift_left, shift_right};
+use super::product::{add_dot2, dot, dot2};
 use super::scaled32::Scaled32;
 use super::{Scalar, Scaled};
 use crate::math::{SymMat3, Vec3};
@@ -25,7 +26,7 @@ pub struct Arm32 {
 /// `a b - c d` without its last 29 places.
 #[inline(always)]
 fn minor(a: i32, b: i32, c: i32, minus_d: i32) -> i32 {
-    narrow::<29>(product(a, b).wrapping_add(product(c, minus_d)))
+    narrow::<29>(dot2([a, c], [b, minus_d]))
 }
 
 impl Arm32 {
@@ -87,14 +88,16 @@ fn inverse_mass_sums(a: &Arm32, b: &Arm32, r: [[i32; 3]; 2], least: i64) -> [i64
     let [ma, mb] = [ra[0].wrapping_neg(), rb[0].wrapping_neg()];
     let [na, nb] = [ra[1].wrapping_neg(), rb[1].wrapping_neg()];
     let [oa, ob] = [ra[2].wrapping_neg(), rb[2].wrapping_neg()];
-    let four = |p: i64, q: i64, r: i64, s: i64| p.wrapping_add(q).wrapping_add(r).wrapping_add(s);
+    // W_a (x r_a) + W_b (x r_b) for a pair of components of each.
+    let sum =
+        |least: i64, wa: [i32; 2], ra: [i32; 2], wb: [i32; 2], rb: [i32; 2]| add_dot2(add_dot2(least, wa, ra), wb, rb);
     [
-        least.wrapping_add(four(product(ay[0], ra[2]), product(az[0], na), product(by[0], rb[2]), product(bz[0], nb))),
-        four(product(ay[1], ra[2]), product(az[1], na), product(by[1], rb[2]), product(bz[1], nb)),
-        four(product(ay[2], ra[2]), product(az[2], na), product(by[2], rb[2]), product(bz[2], nb)),
-        least.wrapping_add(four(product(az[1], ra[0]), product(ax[1], oa), product(bz[1], rb[0]), product(bx[1], ob))),
-        four(product(az[2], ra[0]), product(ax[2], oa), product(bz[2], rb[0]), product(bx[2], ob)),
-        least.wrapping_add(four(product(ax[2], ra[1]), product(ay[2], ma), product(bx[2], rb[1]), product(by[2], mb))),
+        sum(least, [ay[0], az[0]], [ra[2], na], [by[0], bz[0]], [rb[2], nb]),
+        sum(0, [ay[1], az[1]], [ra[2], na], [by[1], bz[1]], [rb[2], nb]),
+        sum(0, [ay[2], az[2]], [ra[2], na], [by[2], bz[2]], [rb[2], nb]),
+        sum(least, [az[1], ax[1]], [ra[0], oa], [bz[1], bx[1]], [rb[0], ob]),
+        sum(0, [az[2], ax[2]], [ra[0], oa], [bz[2], bx[2]], [rb[0], ob]),
+        sum(least, [ax[2], ay[2]], [ra[1], ma], [bx[2], by[2]], [rb[1], mb]),
     ]
 }
 
@@ -158,16 +161,17 @@ pub(super) fn velocity<F>(
         ([bits_of(v[0]), bits_of(v[1])], [bits_of(w[0]), bits_of(w[1])], [bits_of(r[0]), bits_of(r[1])]);
     let room = |w: [i32; 3], r: [i32; 3]| magnitude(w).leading_zeros().wrapping_add(magnitude(r).leading_zeros());
     // Products of 60 bits: four of them and the velocities stay within 63. And what can change its sign.
-    let small = (magnitude(wa) | magnitude(wb)) >> 30 == 0;
+    let small = (magnitude(wa) | magnitude(wb) | magnitude(rb)) >> 30 == 0;
     if !small || room(wa, ra) < 4 || room(wb, rb) < 4 {
         return None;
     }
     let m = [wa[0].wrapping_neg(), wa[1].wrapping_neg(), wa[2].wrapping_neg()];
-    let one = 1i32.wrapping_shl(frac as u32);
+    let minus = |x: [i32; 3]| [x[0].wrapping_neg(), x[1].wrapping_neg(), x[2].wrapping_neg()];
+    let (n, one) = (minus(rb), 1i32.wrapping_shl(frac as u32));
     let component = |x: usize, y: usize, z: usize| {
-        let turned_b = product(wb[y], rb[z]).wrapping_sub(product(wb[z], rb[y]));
-        let turned_a = product(m[y], ra[z]).wrapping_sub(product(m[z], ra[y]));
-        product(vb[x], one).wrapping_sub(product(va[x], one)).wrapping_add(turned_b).wrapping_add(turned_a)
+        let turned = dot2([wb[y], wb[z]], [rb[z], n[y]]);
+        let turned = add_dot2(turned, [m[y], wa[z]], [ra[z], ra[y]]);
+        add_dot2(turned, [vb[x], va[x]], [one, one.wrapping_neg()])
     };
     Some(leading(component(0, 1, 2), component(1, 2, 0), component(2, 0, 1), frac.wrapping_mul(-2)))
 }

@@ -6,7 +6,8 @@
 //! in Q2.30 are written `times30`; the bound that keeps a result within 32 bits stands beside it where it is not plain.
 
 use super::integer::{high_product, inverse_root, long_quotient, reciprocal};
-use super::lever32::{dot, magnitude, narrow, product, shift_left};
+use super::lever32::{magnitude, narrow, shift_left};
+use super::product::{dot, dot2, product};
 
 /// An impulse in units of 2^exponent: along the normal, across it, and the whole. Its length is within 2^30.5 where they slide, and its components within 2^30 where they stick.
 pub(super) struct Impulse32 {
@@ -39,11 +40,6 @@ fn times30(a: i32, b: i32) -> i32 {
 #[inline(always)]
 fn dot30(a: [i32; 3], b: [i32; 3]) -> i32 {
     narrow::<30>(dot(a, b))
-}
-
-#[inline(always)]
-fn dot2(a: [i32; 2], b: [i32; 2]) -> i64 {
-    product(a[0], b[0]).wrapping_add(product(a[1], b[1]))
 }
 
 #[inline(always)]
@@ -92,7 +88,7 @@ impl Contact32 {
         let n = self.normal;
         let [xx, xy, xz, yy, yz, zz] = self.inverse_mass;
         let minus = [xy.wrapping_neg(), xz.wrapping_neg(), yz.wrapping_neg()];
-        let minor = |a: i32, b: i32, c: i32, d: i32| product(a, b).wrapping_add(product(c, d));
+        let minor = |a: i32, b: i32, c: i32, d: i32| dot2([a, c], [b, d]);
         let (a_xx, a_yy, a_zz) =
             (minor(yy, zz, yz, minus[2]), minor(xx, zz, xz, minus[1]), minor(xx, yy, xy, minus[0]));
         let (a_xy, a_xz, a_yz) =
@@ -175,7 +171,7 @@ impl Contact32 {
         };
         let (s11, s22) = (part(max(s11, 0)), part(max(s22, 0)));
         let s12 = part(max(s12, m.wrapping_neg()));
-        let determinant = narrow::<30>(product(s11, s22).wrapping_sub(product(s12, s12)));
+        let determinant = narrow::<30>(dot2([s11, s12], [s22, s12.wrapping_neg()]));
         if determinant < 1 << 14 {
             return None;
         }
@@ -282,12 +278,11 @@ impl Slip32 {
         let m = [n[0].wrapping_add(tp[0]), n[1].wrapping_add(tp[1])];
         let rest = ONE.wrapping_sub(t);
         let (th, td) = (times30(t, self.half_trace), times30(t, self.determinant));
-        let cross = product(rest, th);
-        let d = narrow::<30>(product(rest, rest).wrapping_add(cross).wrapping_add(cross).wrapping_add(product(t, td)));
+        let d = narrow::<30>(dot([rest, th, t], [rest, rest, td]).wrapping_add(product(rest, th)));
         let half_slope = td.wrapping_sub(rest).wrapping_add(times30(self.half_trace, rest.wrapping_sub(t)));
         let b = times30(self.load, d).wrapping_sub(narrow::<30>(dot2(self.coupling, tn)));
         let half_b = times30(self.load, half_slope).wrapping_sub(narrow::<31>(dot2(self.coupling, m)));
-        let excess = dot2(tn, tn).wrapping_sub(product(b, b));
+        let excess = dot([tn[0], tn[1], b], [tn[0], tn[1], b.wrapping_neg()]);
         let slope = dot2(tn, m).wrapping_sub(product(b, half_b) << 1);
         (b, excess, slope)
     }

@@ -8,6 +8,7 @@
 use fixed::FixedI32;
 use fixed::types::I2F30;
 
+use super::product::{dot, dot2};
 use super::scaled32::Scaled32;
 use crate::math::{SymMat3, Vec3};
 
@@ -20,17 +21,6 @@ pub struct Lever32 {
     cross_exponent: i32,
     /// Of `turn`.
     turn_exponent: i32,
-}
-
-#[inline(always)]
-pub(super) const fn product(a: i32, b: i32) -> i64 {
-    (a as i64).wrapping_mul(b as i64)
-}
-
-/// The exact sum of three products; the caller knows that it fits.
-#[inline(always)]
-pub(super) const fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
-    product(a[0], b[0]).wrapping_add(product(a[1], b[1])).wrapping_add(product(a[2], b[2]))
 }
 
 /// `x / 2^K` cut off, for results within 32 bits. (From halves: the compiler then knows that a product of it is one of
@@ -95,9 +85,9 @@ impl Lever32 {
         let m = [d[0].wrapping_neg(), d[1].wrapping_neg(), d[2].wrapping_neg()];
         // On three cores of five there is no multiply-and-subtract: products with -d are added instead.
         let c = [
-            narrow::<32>(product(r[1], d[2]).wrapping_add(product(r[2], m[1]))),
-            narrow::<32>(product(r[2], d[0]).wrapping_add(product(r[0], m[2]))),
-            narrow::<32>(product(r[0], d[1]).wrapping_add(product(r[1], m[0]))),
+            narrow::<32>(dot2([r[1], r[2]], [d[2], m[1]])),
+            narrow::<32>(dot2([r[2], r[0]], [d[0], m[2]])),
+            narrow::<32>(dot2([r[0], r[1]], [d[1], m[0]])),
         ];
         // No arm, no say in which power of two a sum takes.
         let exponent_of_arm = 32i32.wrapping_sub(frac).wrapping_sub(places as i32);
