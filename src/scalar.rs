@@ -31,6 +31,12 @@ mod micromath;
 mod product;
 #[cfg(feature = "fixed")]
 mod scaled32;
+#[cfg(feature = "fixed")]
+mod slip32;
+#[cfg(feature = "fixed")]
+mod stored32;
+#[cfg(feature = "fixed")]
+mod wide;
 
 #[cfg(feature = "fixed")]
 pub use self::scaled32::Scaled32;
@@ -152,9 +158,9 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     fn opposite(d: &Vec3<Self::Unit>) -> Vec3<Self::Unit>;
 
     /// What an impulse along the unit direction `d` does at the end of the arm `r`: c = r x d and u = I^-1 c, for a tensor
-    /// I^-1 with the power of two of its block.
+    /// I^-1 with the power of two of its block; and w . c for the angular velocity `w`.
     fn lever(
-        r: &Vec3<Self>,
+        rw: [&Vec3<Self>; 2],
         d: &Vec3<Self::Unit>,
         inv_inertia: &SymMat3<Self::Unit>,
         exponent: Self::Exponent,
@@ -162,10 +168,15 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
 
     /// The speed at which two points part: `v . d + w . c`, added up for both bodies, each with its own direction away from
     /// the other.
-    fn parting_speed(
+    fn parting_speed(v: [&Vec3<Self>; 2], d: [&Vec3<Self::Unit>; 2], levers: [&Self::Lever; 2]) -> Self::Scaled;
+
+    /// [`rebound`](Self::rebound) at once for points that approach each other; for others nothing that
+    /// [is an impulse](Scaled::is_impulse).
+    fn approach_impulse(
+        restitution: Self,
         v: [&Vec3<Self>; 2],
-        w: [&Vec3<Self>; 2],
         d: [&Vec3<Self::Unit>; 2],
+        inv_masses: [Self::Scaled; 2],
         levers: [&Self::Lever; 2],
     ) -> Self::Scaled;
 

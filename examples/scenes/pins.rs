@@ -8,8 +8,8 @@ const IMPACTS: Pins = [
     ("f32", 0xa192_45ba_9e5c_7dca),
     ("f64", 0xa7c7_bf5c_672a_597b),
     ("i16f16", 0xbd64_a6a0_8dde_0f42),
-    ("i12f20", 0x7733_c51d_75fb_f9c2),
-    ("i8f24", 0x9877_36cd_67eb_a319),
+    ("i12f20", 0xc659_9559_8578_eab7),
+    ("i8f24", 0xf771_63c2_18d2_add6),
     ("micromath", 0x7f1d_ebe9_c59e_6fdf),
 ];
 

@@ -57,9 +57,10 @@ impl<T: Scaled> ContactBlock<T> {
         inverse_mass: &SymBlock<S>,
         velocity: &Block<S>,
         normal: &Vec3<S::Unit>,
-        least: T,
+        inv_masses: [T; 2],
     ) -> Self {
         let normal = [normal.x.to_scaled(), normal.y.to_scaled(), normal.z.to_scaled()];
+        let least = inv_masses[0] + inv_masses[1];
         let block = Self { inverse_mass: inverse_mass.to_scaled(), velocity: velocity.to_scaled(), normal, least };
         // Bodies held in place that can only turn have directions in which nothing gives way.
         Self { least: least.max(T::EPSILON * block.trace()), ..block }

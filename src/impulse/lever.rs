@@ -26,8 +26,8 @@ impl<S: Scalar> Column<S> {
         let direction = direction.get();
         let opposite = S::opposite(&direction);
         Self {
-            a: S::lever(&contact.r_a, &opposite, &a.inv_inertia_world, a.exponent),
-            b: S::lever(&contact.r_b, &direction, &b.inv_inertia_world, b.exponent),
+            a: S::lever([&contact.r_a, &a.angular_velocity], &opposite, &a.inv_inertia_world, a.exponent),
+            b: S::lever([&contact.r_b, &b.angular_velocity], &direction, &b.inv_inertia_world, b.exponent),
             direction,
             opposite,
         }
@@ -41,12 +41,8 @@ impl<S: Scalar> Column<S> {
     /// v_r . d
     #[inline(always)]
     pub fn speed(&self, a: &Body<S>, b: &Body<S>) -> S::Scaled {
-        S::parting_speed(
-            [&a.linear_velocity, &b.linear_velocity],
-            [&a.angular_velocity, &b.angular_velocity],
-            [&self.opposite, &self.direction],
-            self.levers(),
-        )
+        let v = [&a.linear_velocity, &b.linear_velocity];
+        S::parting_speed(v, [&self.opposite, &self.direction], self.levers())
     }
 
     /// The denominator of (10), along d.
@@ -58,10 +54,10 @@ impl<S: Scalar> Column<S> {
     /// The impulse of (10) for approaching bodies; the outcome where there is none.
     #[inline(always)]
     pub fn impulse(&self, a: &Body<S>, b: &Body<S>, restitution: S) -> Result<S::Scaled, Outcome> {
-        let speed = self.speed(a, b);
-        let k = self.inverse_mass(a, b);
-        let j = S::rebound(restitution, speed, k);
-        if j.is_impulse() { Ok(j) } else { Err(without_impulse(speed, k)) }
+        let v = [&a.linear_velocity, &b.linear_velocity];
+        let d = [&self.opposite, &self.direction];
+        let j = S::approach_impulse(restitution, v, d, [a.inv_mass, b.inv_mass], self.levers());
+        if j.is_impulse() { Ok(j) } else { Err(without_impulse(self.speed(a, b), self.inverse_mass(a, b))) }
     }
 }
 

@@ -1,14 +1,14 @@
 //! Arms in fixed point: what a contact point's velocity is, and what it opposes to impulses in any direction.
 //!
-//! As in `lever32.rs`: blocks of 32-bit mantissas under one power of two, made of the upper parts of 64-bit sums, cut off. No
+//! As in `lever32.rs`, blocks of 32-bit mantissas under one power of two, made of the upper parts of 64-bit sums, cut off. No
 //! sum here can leave 64 bits: |W| < 2^30.8 for W = I^-1 (r x .), since the trace of a tensor's block is at most 2^29.
 
 use fixed::FixedI32;
 use fixed::types::I2F30;
 
-use super::lever32::{bits_of, magnitude, narrow, shift_left, shift_right};
-use super::product::{add_dot2, dot, dot2};
+use super::product::{add_dot2, dot, dot2, leading_zeros};
 use super::scaled32::Scaled32;
+use super::wide::{bits_of, magnitude, max, narrow, shift_left, shift_right};
 use super::{Scalar, Scaled};
 use crate::math::{SymMat3, Vec3};
 
@@ -33,7 +33,7 @@ impl Arm32 {
     /// For an arm whose components are `r` units of 2^-frac.
     #[inline(never)]
     pub(super) fn new(r: [i32; 3], inv_inertia: &SymMat3<I2F30>, exponent: i32, frac: i32) -> Self {
-        let places = magnitude(r).leading_zeros().wrapping_sub(1);
+        let places = leading_zeros(magnitude(r)).wrapping_sub(1);
         // Exact but for arms of 31 bits, which lose the last; and what follows can change their signs.
         let fill = |x: i32| x.wrapping_shl(places) >> 1;
         let r = [fill(r[0]), fill(r[1]), fill(r[2])];
@@ -117,7 +117,7 @@ pub(super) fn inverse_mass(inv_masses: [Scaled32; 2], arms: [&Arm32; 2]) -> ([i3
     let least = if down > 31 { far_mass(masses, down) } else { shift_right((masses as i64) << 30, down as u32) };
     let [xx, xy, xz, yy, yz, zz] = inverse_mass_sums(a, b, r, least);
     let largest = max(max((xx >> 32) as i32, (yy >> 32) as i32), (zz >> 32) as i32) | 1;
-    let up = largest.leading_zeros().wrapping_sub(1);
+    let up = leading_zeros(largest as u32).wrapping_sub(1);
     let k = [
         shift_left(xx, up),
         shift_left(xy, up),
@@ -134,11 +134,6 @@ pub(super) fn inverse_mass(inv_masses: [Scaled32; 2], arms: [&Arm32; 2]) -> ([i3
 #[inline(never)]
 fn far_mass(masses: u32, down: i32) -> i64 {
     ((masses as i64) << 30) >> if down > 63 { 63 } else { down }
-}
-
-#[inline(always)]
-const fn max(a: i32, b: i32) -> i32 {
-    if a < b { b } else { a }
 }
 
 /// The mantissa of a number that is not negative, in units of 2^(top - 30).
@@ -159,7 +154,7 @@ pub(super) fn velocity<F>(
 ) -> Option<([i32; 3], i32)> {
     let ([va, vb], [wa, wb], [ra, rb]) =
         ([bits_of(v[0]), bits_of(v[1])], [bits_of(w[0]), bits_of(w[1])], [bits_of(r[0]), bits_of(r[1])]);
-    let room = |w: [i32; 3], r: [i32; 3]| magnitude(w).leading_zeros().wrapping_add(magnitude(r).leading_zeros());
+    let room = |w: [i32; 3], r: [i32; 3]| leading_zeros(magnitude(w)).wrapping_add(leading_zeros(magnitude(r)));
     // Products of 60 bits: four of them and the velocities stay within 63. And what can change its sign.
     let small = (magnitude(wa) | magnitude(wb) | magnitude(rb)) >> 30 == 0;
     if !small || room(wa, ra) < 4 || room(wb, rb) < 4 {
@@ -185,7 +180,7 @@ fn leading(x: i64, y: i64, z: i64, exponent: i32) -> ([i32; 3], i32) {
         // Within 2^33, and exact from here on.
         (x, y, z, exponent) = (x << 28, y << 28, z << 28, exponent.wrapping_sub(28));
     }
-    let up = high(x, y, z).leading_zeros().wrapping_sub(1);
+    let up = leading_zeros(high(x, y, z)).wrapping_sub(1);
     let rounded = |x: i64| (shift_left(x, up) >> 1).wrapping_add(1) >> 1;
     ([rounded(x), rounded(y), rounded(z)], exponent.wrapping_add(34).wrapping_sub(up as i32))
 }

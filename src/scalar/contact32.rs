@@ -3,13 +3,16 @@
 //! Every quantity is brought to 30 bits once and keeps a fixed place from there on; sums of products are exact in 64 bits and
 //! cut off. That takes well-conditioned contacts: where one of the guards below fails, the caller solves the same
 //! equations in [`Scaled32`](super::scaled32::Scaled32), whose numbers keep an exponent each. Products and sums of numbers
-//! in Q2.30 are written `times30`; the bound that keeps a result within 32 bits stands beside it where it is not plain.
+//! in Q2.30 are written `times30` and `dot30`; where it is not plain, the bound that keeps a result within 32 bits stands
+//! beside it.
 
-use super::integer::{high_product, inverse_root, long_quotient, reciprocal};
-use super::lever32::{magnitude, narrow, shift_left};
-use super::product::{dot, dot2, product};
+use super::integer::long_quotient;
+use super::product::{dot, dot2, leading_zeros, product};
+use super::slip32::Slip32;
+use super::wide::{dot30, high, inverse, leading_zeros64, leading32, magnitude, max, narrow, shift_left, times30};
 
-/// An impulse in units of 2^exponent: along the normal, across it, and the whole. Its length is within 2^30.5 where they slide, and its components within 2^30 where they stick.
+/// An impulse in units of 2^exponent: along the normal, across it, and the whole. Its length is within 2^30.5 where the points
+/// slide, and its components within 2^30 where they stick.
 pub(super) struct Impulse32 {
     pub normal: i32,
     pub across: [i32; 3],
@@ -30,39 +33,8 @@ pub(super) struct Contact32 {
     pub friction: i32,
 }
 
-const ONE: i32 = 1 << 30;
-
-#[inline(always)]
-fn times30(a: i32, b: i32) -> i32 {
-    narrow::<30>(product(a, b))
-}
-
-#[inline(always)]
-fn dot30(a: [i32; 3], b: [i32; 3]) -> i32 {
-    narrow::<30>(dot(a, b))
-}
-
-#[inline(always)]
-fn high(x: i64) -> i32 {
-    (x >> 32) as i32
-}
-
-/// The leading 32 bits of a positive number, for the number of its leading zeros.
-#[inline(always)]
-fn leading(x: i64, zeros: u32) -> u32 {
-    ((x as u64) << zeros >> 32) as u32
-}
-
-#[inline(always)]
-const fn max(a: i32, b: i32) -> i32 {
-    if a < b { b } else { a }
-}
-
-/// `2^61 / d` for `d` in `[2^31, 2^32)`.
-#[inline(always)]
-fn inverse(d: u32) -> i32 {
-    long_quotient(1 << 31, d) as i32
-}
+/// One in Q2.30.
+pub(super) const ONE: i32 = 1 << 30;
 
 impl Contact32 {
     /// The rows of K.
@@ -93,7 +65,7 @@ impl Contact32 {
             (minor(yy, zz, yz, minus[2]), minor(xx, zz, xz, minus[1]), minor(xx, yy, xy, minus[0]));
         let (a_xy, a_xz, a_yz) =
             (minor(xz, yz, minus[0], zz), minor(xy, yz, minus[1], yy), minor(xy, xz, xx, minus[2]));
-        let up = (max(max(high(a_xx), high(a_yy)), high(a_zz)) | 1).leading_zeros().wrapping_sub(1);
+        let up = leading_zeros(max(max(high(a_xx), high(a_yy)), high(a_zz)) as u32 | 1).wrapping_sub(1);
         let rows = [
             [shift_left(a_xx, up), shift_left(a_xy, up), shift_left(a_xz, up)],
             [shift_left(a_xy, up), shift_left(a_yy, up), shift_left(a_yz, up)],
@@ -104,8 +76,8 @@ impl Contact32 {
         if determinant < 1 << LEAST_DETERMINANT {
             return None;
         }
-        let zeros = determinant.leading_zeros();
-        let over = inverse(leading(determinant, zeros));
+        let zeros = leading_zeros64(determinant);
+        let over = inverse(leading32(determinant, zeros));
         let v = self.velocity;
         let v = [
             v[0].wrapping_add(times30(bounce, n[0])),
@@ -114,7 +86,7 @@ impl Contact32 {
         ];
         // |v| < 2^30.8, and a row of the adjugate is below 2^31.8.
         let [x, y, z] = [dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)];
-        let up = magnitude([high(x), high(y), high(z)]).leading_zeros().wrapping_sub(1);
+        let up = leading_zeros(magnitude([high(x), high(y), high(z)])).wrapping_sub(1);
         let component = |x: i64| times30(shift_left(x, up) >> 1, over).wrapping_neg();
         let whole = [component(x), component(y), component(z)];
         let normal = dot30(whole, n);
@@ -151,7 +123,7 @@ impl Contact32 {
         let k22 = trace.wrapping_sub(nn).wrapping_sub(k11);
 
         // K_nt / K_nn in Q5.27.
-        let nn_zeros = nn.leading_zeros();
+        let nn_zeros = leading_zeros(nn as u32);
         let over_nn = inverse((nn as u32) << nn_zeros);
         let quotient = |x: i32| times30(x, over_nn) >> 4u32.wrapping_sub(nn_zeros);
         let g = [quotient(n1), quotient(n2)];
@@ -163,7 +135,7 @@ impl Contact32 {
         }
 
         // S over its larger diagonal element in Q2.30.
-        let m_zeros = m.leading_zeros();
+        let m_zeros = leading_zeros(m as u32);
         let over_m = inverse((m as u32) << m_zeros);
         let part = |s: i32| {
             let s = if s > m { m } else { s };
@@ -211,9 +183,9 @@ impl Contact32 {
         if yields < (nn as i64) << 27 {
             return None;
         }
-        let zeros = yields.leading_zeros();
-        let b_zeros = b.unsigned_abs().leading_zeros();
-        let quotient = long_quotient(b.unsigned_abs() << b_zeros, leading(yields, zeros));
+        let zeros = leading_zeros64(yields);
+        let b_zeros = leading_zeros(b.unsigned_abs());
+        let quotient = long_quotient(b.unsigned_abs() << b_zeros, leading32(yields, zeros));
         // The whole within 2^30.5.
         let places = if self.friction > ONE { 2 } else { 1 };
         let normal = (quotient >> places) as i32;
@@ -242,121 +214,9 @@ const LEAST_DETERMINANT: u32 = 57;
 #[inline(always)]
 fn tangents([x, y, z]: [i32; 3]) -> [[i32; 3]; 2] {
     let divisor = (ONE as u32).wrapping_add(z as u32);
-    let zeros = divisor.leading_zeros();
+    let zeros = leading_zeros(divisor);
     let a = inverse(divisor << zeros) >> 1u32.wrapping_sub(zeros);
     let (xa, ya) = (times30(x, a), times30(y, a));
     let b = times30(xa, y).wrapping_neg();
     [[ONE.wrapping_sub(times30(x, xa)), b, x.wrapping_neg()], [b, ONE.wrapping_sub(times30(y, ya)), y.wrapping_neg()]]
-}
-
-/// The equation of `impulse/slip.rs`, squared so that no root has to be taken: (t |N|)^2 = B^2, B = load D - t coupling . N
-/// with coupling = -mu K_nt / K_nn.
-/// All in Q2.30 but q, p and the load, which have a common unit and are within 2^29, 2^29.5 and 2^30.
-struct Slip32 {
-    q: [i32; 2],
-    p: [i32; 2],
-    half_trace: i32,
-    determinant: i32,
-    load: i32,
-    coupling: [i32; 2],
-}
-
-impl Slip32 {
-    /// N(t)
-    #[inline(always)]
-    fn numerator(&self, t: i32) -> [i32; 2] {
-        [self.q[0].wrapping_add(times30(t, self.p[0])), self.q[1].wrapping_add(times30(t, self.p[1]))]
-    }
-
-    /// B, the difference of the squares, and half its derivative.
-    #[inline(always)]
-    fn excess(&self, t: i32) -> (i32, i64, i64) {
-        let tp = [times30(t, self.p[0]), times30(t, self.p[1])];
-        let n = [self.q[0].wrapping_add(tp[0]), self.q[1].wrapping_add(tp[1])];
-        let tn = [times30(t, n[0]), times30(t, n[1])];
-        // d(t N)/dt, no longer than q.
-        let m = [n[0].wrapping_add(tp[0]), n[1].wrapping_add(tp[1])];
-        let rest = ONE.wrapping_sub(t);
-        let (th, td) = (times30(t, self.half_trace), times30(t, self.determinant));
-        let d = narrow::<30>(dot([rest, th, t], [rest, rest, td]).wrapping_add(product(rest, th)));
-        let half_slope = td.wrapping_sub(rest).wrapping_add(times30(self.half_trace, rest.wrapping_sub(t)));
-        let b = times30(self.load, d).wrapping_sub(narrow::<30>(dot2(self.coupling, tn)));
-        let half_b = times30(self.load, half_slope).wrapping_sub(narrow::<31>(dot2(self.coupling, m)));
-        let excess = dot([tn[0], tn[1], b], [tn[0], tn[1], b.wrapping_neg()]);
-        let slope = dot2(tn, m).wrapping_sub(product(b, half_b) << 1);
-        (b, excess, slope)
-    }
-
-    /// A first guess: Newton's step from t = 0, with the length of q to a few percent.
-    #[inline(always)]
-    fn guess(&self) -> i32 {
-        let (x, y) = (self.q[0].unsigned_abs(), self.q[1].unsigned_abs());
-        let (long, short) = if x < y { (y, x) } else { (x, y) };
-        let length = long.wrapping_sub(long >> 5).wrapping_add((short >> 2).wrapping_add(short >> 3));
-        let rise = (ONE.wrapping_sub(self.half_trace)) as u32;
-        let rise = high_product((self.load as u32) << 1, rise << 2);
-        let along = narrow::<30>(dot2(self.coupling, self.q));
-        let slope = length.wrapping_add(rise).wrapping_add(along as u32);
-        if (slope as i32) <= self.load {
-            return ONE >> 1;
-        }
-        let zeros = slope.leading_zeros();
-        high_product((self.load as u32) << zeros, reciprocal(slope << zeros)) as i32
-    }
-
-    /// The direction of sliding after the impact, in Q2.30.
-    #[inline(always)]
-    fn direction(&self) -> [i32; 2] {
-        let (mut low, mut high_end) = (0, ONE);
-        let mut t = self.guess();
-        for _ in 0..super::MAX_SLIP_ITERATIONS {
-            let (b, excess, slope) = self.excess(t);
-            if b < 0 || excess >= 0 {
-                high_end = t;
-            } else {
-                low = t;
-            }
-            let step = step(excess, slope);
-            let next = t.wrapping_sub(step);
-            if b > 0 && step.unsigned_abs() < SMALL_STEP {
-                t = if next < ONE { next } else { ONE };
-                break;
-            }
-            t = if b > 0 && next > low && next < high_end { next } else { low.wrapping_add(high_end) >> 1 };
-        }
-        unit(self.numerator(t))
-    }
-}
-
-/// A step after which Newton's method is at its end: half its square, or some of that, is what is left.
-const SMALL_STEP: u32 = 1 << 15;
-
-/// `excess / (2 slope)` in Q2.30, to 26 bits; beyond 1/2 something that is outside every bracket.
-#[inline(always)]
-fn step(excess: i64, slope: i64) -> i32 {
-    if slope <= 0 || (excess ^ (excess >> 63)) >= slope {
-        return i32::MAX;
-    }
-    let zeros = slope.leading_zeros();
-    let over = reciprocal(leading(slope, zeros));
-    high(product(high(excess << zeros.wrapping_sub(1)), (over >> 1) as i32)) << 1
-}
-
-/// The vector over its length, in Q2.30.
-#[inline(always)]
-fn unit(v: [i32; 2]) -> [i32; 2] {
-    let up = magnitude([v[0], v[1], 0]).leading_zeros().wrapping_sub(2);
-    let v = [v[0] << up, v[1] << up];
-    // In [2^58, 2^61).
-    let square = dot2(v, v) as u64;
-    let places = square.leading_zeros() & 62;
-    // 2^30 sqrt(2^64 / (square 2^places)), in [2^30, 2^31].
-    let root = inverse_root((square << places >> 32) as u32);
-    // v root / 2^30 2^(places / 2) / 2^32
-    let down = 32u32.wrapping_sub(places / 2);
-    let d = |x: i32| (product(x, (root >> 1) as i32) >> down.wrapping_sub(1)) as i32;
-    let d = [d(v[0]), d(v[1])];
-    // One step of Newton's for the length.
-    let lacks = narrow::<31>((1i64 << 60).wrapping_sub(dot2(d, d)));
-    [d[0].wrapping_add(times30(d[0], lacks)), d[1].wrapping_add(times30(d[1], lacks))]
 }

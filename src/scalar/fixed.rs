@@ -8,23 +8,13 @@ use super::Scalar;
 use super::arm32::{self, Arm32};
 use super::contact32::{Contact32, Impulse32};
 use super::integer::{round_shift, round_sqrt, wide_quotient};
-use super::lever32::{self, Lever32, bits_of, magnitude};
+use super::lever32::{self, Lever32};
 use super::product::{dot, product};
-use super::scaled32::{Scaled32, shift_product};
+use super::scaled32::Scaled32;
+use super::stored32::{self, add_block, add_scaled, clip};
+use super::wide::{bits_of, magnitude, narrow};
 use crate::error::RangeError;
 use crate::math::{Block, BlockImpulse, SymBlock, SymMat3, Vec3};
-
-/// `x` clipped to 32 bits, and whether that changed it.
-#[inline(always)]
-const fn clip(x: i64) -> (i32, bool) {
-    if x > i32::MAX as i64 {
-        (i32::MAX, true)
-    } else if x < i32::MIN as i64 {
-        (i32::MIN, true)
-    } else {
-        (x as i32, false)
-    }
-}
 
 /// `(p + q + r) / 2^frac` rounded and clipped, for products of 32-bit numbers and `frac <= 30`.
 ///
@@ -66,104 +56,16 @@ fn bits3<Frac>(v: [FixedI32<Frac>; 3]) -> [i32; 3] {
     [v[0].to_bits(), v[1].to_bits(), v[2].to_bits()]
 }
 
-/// `x + k d` for a block `d` of Q2.30 and components of `x` in units of 2^-frac: rounded once a component, and whether a
-/// component met the end of the range.
+/// 1 + e in Q2.30, for the nearest e in 0 to 1.
 #[inline(always)]
-fn add_scaled<Frac>(x: &mut Vec3<FixedI32<Frac>>, d: [i32; 3], k: i32, exponent: i32) -> bool
+fn rebound_factor<Frac>(restitution: FixedI32<Frac>) -> u32
 where
     Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
 {
-    // The upper half of the product has 29 bits or less and moves right by a place or more:
-    // what was cut off below makes no difference to the rounding.
-    let down = 28i32.wrapping_sub(Frac::I32).wrapping_sub(exponent);
-    if down <= 0 {
-        return add_far(x, d, k, exponent);
-    }
-    let down = (down as u32).min(31);
-    let half = (1u32.wrapping_shl(down) >> 1) as i32;
-    // All products before the first branch: behind one, the compiler no longer sees that a factor has 32 bits.
-    let change = [
-        rounded(product(d[0], k), half, down),
-        rounded(product(d[1], k), half, down),
-        rounded(product(d[2], k), half, down),
-    ];
-    add_change(x, change)
-}
-
-/// `x + d` for a vector `d` in units of 2^exponent, with components within 2^30, and components of `x` in units of 2^-frac.
-#[inline(always)]
-fn add_block<Frac>(x: &mut Vec3<FixedI32<Frac>>, d: [i32; 3], exponent: i32) -> bool
-where
-    Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
-{
-    let down = exponent.wrapping_add(Frac::I32).wrapping_neg();
-    if down <= 0 {
-        return add_far(x, d, 1 << 29, exponent.wrapping_add(31));
-    }
-    let down = (down as u32).min(31);
-    let half = (1u32.wrapping_shl(down) >> 1) as i32;
-    add_change(x, [moved(d[0], half, down), moved(d[1], half, down), moved(d[2], half, down)])
-}
-
-/// `x` moved right and rounded.
-#[inline(always)]
-const fn moved(x: i32, half: i32, down: u32) -> i32 {
-    x.wrapping_add(half).wrapping_shr(down)
-}
-
-/// The sum, and whether a component met the end of the range.
-#[inline(always)]
-fn add_change<Frac>(x: &mut Vec3<FixedI32<Frac>>, change: [i32; 3]) -> bool {
-    let bits = bits_of(x);
-    let Some(x0) = bits[0].checked_add(change[0]) else { return add_clipped(x, change) };
-    let Some(x1) = bits[1].checked_add(change[1]) else { return add_clipped(x, change) };
-    let Some(x2) = bits[2].checked_add(change[2]) else { return add_clipped(x, change) };
-    *x = Vec3::new(FixedI32::from_bits(x0), FixedI32::from_bits(x1), FixedI32::from_bits(x2));
-    false
-}
-
-/// The upper half of a product, moved right and rounded.
-#[inline(always)]
-const fn rounded(product: i64, half: i32, down: u32) -> i32 {
-    moved((product >> 32) as i32, half, down)
-}
-
-/// `x + change`, where a component meets the end of the range.
-#[cold]
-#[inline(never)]
-fn add_clipped<Frac>(x: &mut Vec3<FixedI32<Frac>>, change: [i32; 3]) -> bool {
-    let bits = bits_of(x);
-    x.x = FixedI32::from_bits(bits[0].saturating_add(change[0]));
-    x.y = FixedI32::from_bits(bits[1].saturating_add(change[1]));
-    x.z = FixedI32::from_bits(bits[2].saturating_add(change[2]));
-    true
-}
-
-/// The nearest number to one of 2^29 units of the last place and more.
-#[cold]
-#[inline(never)]
-fn from_large<Frac>(x: Scaled32) -> (FixedI32<Frac>, bool)
-where
-    Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
-{
-    let (bits, clipped) = clip(x.to_bits(Frac::I32));
-    (FixedI32::from_bits(bits), clipped)
-}
-
-/// The same for changes of 2^26 units of the last place and more.
-#[cold]
-#[inline(never)]
-fn add_far<Frac>(x: &mut Vec3<FixedI32<Frac>>, d: [i32; 3], k: i32, exponent: i32) -> bool
-where
-    Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
-{
-    let down = 60i32.wrapping_sub(Frac::I32).wrapping_sub(exponent);
-    let bits = bits_of(x);
-    let (x0, met0) = clip(shift_product(product(d[0], k), down).wrapping_add(bits[0] as i64));
-    let (x1, met1) = clip(shift_product(product(d[1], k), down).wrapping_add(bits[1] as i64));
-    let (x2, met2) = clip(shift_product(product(d[2], k), down).wrapping_add(bits[2] as i64));
-    *x = Vec3::new(FixedI32::from_bits(x0), FixedI32::from_bits(x1), FixedI32::from_bits(x2));
-    met0 | met1 | met2
+    let bits = restitution.to_bits();
+    let bits = if bits < 0 { 0 } else { bits };
+    let bits = if bits > 1 << Frac::U32 { 1 << Frac::U32 } else { bits };
+    (bits as u32).wrapping_add(1 << Frac::U32).wrapping_shl(30 - Frac::U32)
 }
 
 /// `|n| 2^frac / |d|` with its sign, clipped.
@@ -313,19 +215,25 @@ where
     }
 
     #[inline(always)]
-    fn lever(r: &Vec3<Self>, d: &Vec3<I2F30>, inv_inertia: &SymMat3<I2F30>, exponent: i32) -> Lever32 {
-        Lever32::new(r, d, inv_inertia, exponent, Frac::I32)
+    fn lever([r, w]: [&Vec3<Self>; 2], d: &Vec3<I2F30>, inv_inertia: &SymMat3<I2F30>, exponent: i32) -> Lever32 {
+        Lever32::new([r, w], d, inv_inertia, exponent, Frac::I32)
     }
 
     #[inline(always)]
-    fn parting_speed(
+    fn parting_speed(v: [&Vec3<Self>; 2], d: [&Vec3<I2F30>; 2], levers: [&Lever32; 2]) -> Scaled32 {
+        lever32::parting_speed([bits_of(v[0]), bits_of(v[1])], d, levers, Frac::I32)
+    }
+
+    #[inline(always)]
+    fn approach_impulse(
+        restitution: Self,
         v: [&Vec3<Self>; 2],
-        w: [&Vec3<Self>; 2],
         d: [&Vec3<I2F30>; 2],
+        inv_masses: [Scaled32; 2],
         levers: [&Lever32; 2],
     ) -> Scaled32 {
-        let (v, w) = ([bits_of(v[0]), bits_of(v[1])], [bits_of(w[0]), bits_of(w[1])]);
-        lever32::parting_speed(v, w, d, levers, Frac::I32)
+        let factor = rebound_factor(restitution);
+        lever32::approach_impulse(factor, [bits_of(v[0]), bits_of(v[1])], d, inv_masses, levers, Frac::I32)
     }
 
     #[inline(always)]
@@ -335,11 +243,7 @@ where
 
     #[inline(always)]
     fn rebound(restitution: Self, speed: Scaled32, k: Scaled32) -> Scaled32 {
-        let bits = restitution.to_bits();
-        let bits = if bits < 0 { 0 } else { bits };
-        let bits = if bits > 1 << Frac::U32 { 1 << Frac::U32 } else { bits };
-        let factor = (bits as u32).wrapping_add(1 << Frac::U32).wrapping_shl(30 - Frac::U32);
-        Scaled32::quotient_of_product(-speed, factor, k)
+        Scaled32::quotient_of_product(-speed, rebound_factor(restitution), k)
     }
 
     #[inline(never)]
@@ -351,11 +255,10 @@ where
         j: Scaled32,
     ) -> bool {
         let (d, inv_mass) = linear;
-        // Known to be positive, a factor counts as unsigned, and such a product takes three instructions instead of one.
-        let (m, q) = (inv_mass.mantissa(), core::hint::black_box(j.mantissa()));
-        let k = product(m << 1, q << 1).wrapping_add(1 << 30) >> 31;
+        let q = j.mantissa();
+        let k = narrow::<29>(product(inv_mass.mantissa(), q));
         let exponent = inv_mass.exponent().wrapping_add(j.exponent()).wrapping_sub(1);
-        let fast = add_scaled(v, bits_of(d), k as i32, exponent);
+        let fast = add_scaled(v, bits_of(d), k, exponent);
         let (u, exponent) = lever.turn();
         fast | add_scaled(w, u, q, j.exponent().wrapping_add(exponent))
     }
@@ -423,14 +326,7 @@ where
 
     #[inline(always)]
     fn from_block(mantissa: I2F30, exponent: i32) -> (Self, bool) {
-        let down = 30i32.wrapping_sub(exponent).wrapping_sub(Frac::I32);
-        if down <= 0 {
-            return from_large(Scaled32::new(mantissa.to_bits() as i64, exponent.wrapping_sub(30)));
-        }
-        // The last place first: with one half of 2^31, a mantissa of 31 bits would leave the range.
-        let down = (down as u32).min(31).wrapping_sub(1);
-        let half = (1u32.wrapping_shl(down) >> 1) as i32;
-        (Self::from_bits(moved(mantissa.to_bits() >> 1, half, down)), false)
+        stored32::from_block(mantissa, exponent)
     }
 
     #[inline(never)]
@@ -455,15 +351,7 @@ where
 
     #[inline(always)]
     fn from_scaled(x: Scaled32) -> (Self, bool) {
-        let down = 30i32.wrapping_sub(x.exponent()).wrapping_sub(Frac::I32);
-        if down <= 0 {
-            return from_large(x);
-        }
-        // A mantissa below 2^30 and the half of 2^31 are cut to nothing.
-        let down = (down as u32).min(31);
-        let half = (1u32.wrapping_shl(down) >> 1) as i32;
-        let m = x.mantissa();
-        (Self::from_bits(m.wrapping_add(half).wrapping_add(m >> 31).wrapping_shr(down)), false)
+        stored32::from_scaled(x)
     }
 
     #[inline]

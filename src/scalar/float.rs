@@ -2,11 +2,15 @@
 
 use crate::math::Vec3;
 
-/// A lever in floating point: c = r x d and u = I^-1 c.
+/// A lever in floating point: of c = r x d and u = I^-1 c, what the kernel needs.
 #[derive(Clone, Copy, Debug)]
 pub struct FloatLever<T> {
-    pub(super) cross: Vec3<T>,
+    /// u
     pub(super) turn: Vec3<T>,
+    /// c . u
+    pub(super) inverse_mass: T,
+    /// w . c
+    pub(super) spin: T,
 }
 
 /// An arm in floating point: r, and the rows of W = I^-1 (r x .).
@@ -166,26 +170,33 @@ macro_rules! float_scalar {
             }
 
             #[inline(always)]
-            fn lever(r: &Vec3<Self>, d: &Vec3<Self>, inv_inertia: &SymMat3<Self>, (): ()) -> Self::Lever {
+            fn lever([r, w]: [&Vec3<Self>; 2], d: &Vec3<Self>, inv_inertia: &SymMat3<Self>, (): ()) -> Self::Lever {
                 let cross = r.cross(*d);
-                FloatLever { cross, turn: inv_inertia.times(cross) }
+                let turn = inv_inertia.times(cross);
+                FloatLever { turn, inverse_mass: cross.dot(turn), spin: w.dot(cross) }
             }
 
             #[inline(always)]
-            fn parting_speed(
+            fn parting_speed(v: [&Vec3<Self>; 2], d: [&Vec3<Self>; 2], levers: [&Self::Lever; 2]) -> Self {
+                // The difference first: in a common drift, the speeds along the direction are large and their difference small.
+                (*v[1] - *v[0]).dot(*d[1]) + (levers[0].spin + levers[1].spin)
+            }
+
+            #[inline(always)]
+            fn approach_impulse(
+                restitution: Self,
                 v: [&Vec3<Self>; 2],
-                w: [&Vec3<Self>; 2],
                 d: [&Vec3<Self>; 2],
+                inv_masses: [Self; 2],
                 levers: [&Self::Lever; 2],
             ) -> Self {
-                // The difference first: in a common drift, the speeds along the direction are large and their difference small.
-                (*v[1] - *v[0]).dot(*d[1]) + (w[0].dot(levers[0].cross) + w[1].dot(levers[1].cross))
+                let speed = Self::parting_speed(v, d, levers);
+                Self::rebound(restitution, speed, Self::inverse_mass(inv_masses, levers))
             }
 
             #[inline(always)]
             fn inverse_mass(inv_masses: [Self; 2], levers: [&Self::Lever; 2]) -> Self {
-                let [a, b] = levers;
-                (inv_masses[0] + inv_masses[1]) + (a.cross.dot(a.turn) + b.cross.dot(b.turn))
+                (inv_masses[0] + inv_masses[1]) + (levers[0].inverse_mass + levers[1].inverse_mass)
             }
 
             #[inline(always)]
@@ -312,7 +323,8 @@ macro_rules! float_scalar {
 
             #[inline(always)]
             fn is_impulse(self) -> bool {
-                self > $zero && $finite(self)
+                // From one unit of the last place to the largest number: the bits as an integer, less one.
+                $bits(self).wrapping_sub(1) < $bits($one / $zero) - 1
             }
 
             #[inline(always)]

@@ -4,6 +4,8 @@
 //! with `overflow-checks` contains no panic. There is one rounding: to the nearest, ties away from zero, which is
 //! symmetric under a change of sign.
 
+use super::product::{product, unsigned_product};
+
 /// `x / 2^s` rounded. `s` in `0..=62`; |x| < 2^63 - 2^(s-1).
 #[inline(always)]
 pub(crate) const fn round_shift(x: i64, s: u32) -> i64 {
@@ -30,32 +32,32 @@ const RECIPROCAL_SEED: [u8; 64] = {
 
 /// The upper half of the product.
 #[inline(always)]
-pub(crate) const fn high_product(a: u32, b: u32) -> u32 {
-    ((a as u64).wrapping_mul(b as u64) >> 32) as u32
+pub(crate) fn high_product(a: u32, b: u32) -> u32 {
+    (unsigned_product(a, b) >> 32) as u32
 }
 
 /// `2^62 / d` for `d >= 2^31`; off by at most 2^-26 in relative terms.
 ///
 /// Two Newton steps `x (2 - d x)` from a 64-byte table: 7, 13, then 26 bits.
 #[inline(always)]
-pub(crate) const fn reciprocal(d: u32) -> u32 {
+pub(crate) fn reciprocal(d: u32) -> u32 {
     let x0 = RECIPROCAL_SEED[((d >> 25) & 63) as usize] as u32 | 256;
     let rest_q23 = (2u32 << 23).wrapping_sub((d >> 17).wrapping_mul(x0));
     let x1_q15 = x0.wrapping_mul(rest_q23 >> 8) >> 8;
-    let rest_q30 = (2u32 << 30).wrapping_sub(((d as u64).wrapping_mul(x1_q15 as u64) >> 17) as u32);
-    ((rest_q30 as u64).wrapping_mul((x1_q15 << 16) as u64) >> 31) as u32
+    let rest_q30 = (2u32 << 30).wrapping_sub((unsigned_product(d, x1_q15) >> 17) as u32);
+    (unsigned_product(rest_q30, x1_q15 << 16) >> 31) as u32
 }
 
 /// `n 2^30 / d` to one unit, for `n` and `d` of 32 bits.
 ///
 /// The reciprocal gives 26 bits; what is left of the dividend, times the reciprocal, the rest.
 #[inline(always)]
-pub(crate) const fn long_quotient(n: u32, d: u32) -> u32 {
+pub(crate) fn long_quotient(n: u32, d: u32) -> u32 {
     let x = reciprocal(d);
     let q = high_product(n, x);
     // Below 2^38 in magnitude.
-    let rest = ((n as u64) << 30).wrapping_sub((q as u64).wrapping_mul(d as u64)) as i64;
-    let step = ((rest >> 8) as i32 as i64).wrapping_mul((x >> 1) as i32 as i64) >> 53;
+    let rest = ((n as u64) << 30).wrapping_sub(unsigned_product(q, d)) as i64;
+    let step = product((rest >> 8) as i32, (x >> 1) as i32) >> 53;
     q.wrapping_add(step as u32)
 }
 
@@ -64,7 +66,7 @@ pub(crate) const fn long_quotient(n: u32, d: u32) -> u32 {
 /// The reciprocal gives the quotient to 26 bits, its remainder corrects it to one unit, and the last remainder decides
 /// the rounding: the result is correctly rounded whatever the reciprocal's error was.
 #[inline(always)]
-pub(crate) const fn quotient(n: u32, d: u32, k: u32) -> u32 {
+pub(crate) fn quotient(n: u32, d: u32, k: u32) -> u32 {
     let x = reciprocal(d << 2) as u64;
     let divisor = d as i64;
     let wide = (n as i64).wrapping_shl(k);
@@ -90,7 +92,7 @@ pub(crate) const fn quotient(n: u32, d: u32, k: u32) -> u32 {
 
 /// `n 2^shift / d` rounded, or `None` where the result would not fit 31 bits. `d > 0`, `shift <= 31`.
 #[inline]
-pub(crate) const fn wide_quotient(n: u32, d: u32, shift: u32) -> Option<u32> {
+pub(crate) fn wide_quotient(n: u32, d: u32, shift: u32) -> Option<u32> {
     if n == 0 {
         return Some(0);
     }
@@ -158,13 +160,13 @@ const INVERSE_ROOT_SEED: [u8; 64] = {
 
 /// `2^46 / sqrt(a)` for `a >= 2^30`, between 2^30 and 2^31; off by at most 2^-24 in relative terms.
 #[inline(always)]
-pub(crate) const fn inverse_root(a: u32) -> u32 {
+pub(crate) fn inverse_root(a: u32) -> u32 {
     let y0 = INVERSE_ROOT_SEED[(a >> 26) as usize] as u32 | 256;
     let rest_q30 = (3u32 << 30).wrapping_sub((a >> 18).wrapping_mul(y0.wrapping_mul(y0)));
     let y1_q16 = y0.wrapping_mul(rest_q30 >> 16) >> 7;
-    let root_q31 = (a as u64).wrapping_mul(y1_q16 as u64) >> 17;
-    let rest_q30 = (3u32 << 30).wrapping_sub((root_q31.wrapping_mul(y1_q16 as u64) >> 17) as u32);
-    (((y1_q16 << 14) as u64).wrapping_mul(rest_q30 as u64) >> 31) as u32
+    let root_q31 = (unsigned_product(a, y1_q16) >> 17) as u32;
+    let rest_q30 = (3u32 << 30).wrapping_sub((unsigned_product(root_q31, y1_q16) >> 17) as u32);
+    (unsigned_product(y1_q16 << 14, rest_q30) >> 31) as u32
 }
 
 /// The square root of `x`, cut to an integer.
@@ -172,7 +174,7 @@ pub(crate) const fn inverse_root(a: u32) -> u32 {
 /// Two Newton steps `y (3 - a y^2)/2` for the inverse root of the leading 32 bits give the root to 25 bits, what is left of
 /// `x` the rest, and two comparisons each way the last unit: the result is right whatever the estimate's error was.
 #[inline]
-const fn floor_sqrt(x: u64) -> u32 {
+fn floor_sqrt(x: u64) -> u32 {
     if x == 0 {
         return 0;
     }
@@ -204,7 +206,7 @@ const fn floor_sqrt(x: u64) -> u32 {
 
 /// The square root of `x`, rounded to the nearest integer (a tie cannot happen); `u32::MAX` where that is 2^32.
 #[inline]
-pub(crate) const fn round_sqrt(x: u64) -> u32 {
+pub(crate) fn round_sqrt(x: u64) -> u32 {
     let root = floor_sqrt(x);
     let rest = x.wrapping_sub((root as u64).wrapping_mul(root as u64));
     // sqrt(x) > root + 1/2 exactly where x > root^2 + root.

@@ -11,6 +11,9 @@ use portable::{add_product, multiply};
 #[cfg(multiply = "short")]
 use short::{add_product, multiply};
 
+#[cfg(multiply = "short")]
+pub(super) use short::{leading_zeros, unsigned_product};
+
 #[cfg(not(any(multiply = "long", multiply = "short")))]
 mod portable {
     #[inline(always)]
@@ -65,7 +68,7 @@ mod long {
     }
 }
 
-/// Armv6-M and Armv8-M Baseline: from four products of halves.
+/// Armv6-M and Armv8-M Baseline: from four products of halves. There is no instruction that counts zeros, either.
 #[cfg(multiply = "short")]
 #[allow(unsafe_code)]
 mod short {
@@ -116,6 +119,77 @@ mod short {
         }
         (high as i64) << 32 | low as i64
     }
+
+    /// `a b`
+    #[inline(never)]
+    pub fn unsigned_product(a: u32, b: u32) -> u64 {
+        let (low, high): (u32, u32);
+        // SAFETY: reads and writes the declared registers and the flags, and touches neither memory nor stack.
+        unsafe {
+            asm!(
+                "uxth {u}, {a}", // a0
+                "uxth {t}, {b}", // b0
+                "mov {s}, {u}",
+                "muls {s}, {t}, {s}", // a0 b0
+                "lsrs {a}, {a}, #16",
+                "muls {t}, {a}, {t}", // a1 b0
+                "lsrs {b}, {b}, #16",
+                "muls {u}, {b}, {u}", // a0 b1
+                "muls {a}, {b}, {a}", // a1 b1
+                "lsls {b}, {t}, #16",
+                "lsrs {t}, {t}, #16",
+                "adds {s}, {s}, {b}",
+                "adcs {a}, {t}",
+                "lsls {b}, {u}, #16",
+                "lsrs {u}, {u}, #16",
+                "adds {s}, {s}, {b}",
+                "adcs {a}, {u}",
+                a = inout(reg) a => high,
+                b = inout(reg) b => _,
+                s = out(reg) low,
+                t = out(reg) _,
+                u = out(reg) _,
+                options(pure, nomem, nostack),
+            );
+        }
+        (high as u64) << 32 | low as u64
+    }
+
+    /// Of the numbers below 16.
+    const ZEROS: [u8; 16] = [4, 3, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
+
+    /// How many leading digits of `x` are zero; 32 for zero.
+    #[inline(never)]
+    pub fn leading_zeros(mut x: u32) -> u32 {
+        let mut zeros = 0;
+        if x >> 16 == 0 {
+            x <<= 16;
+            zeros = 16;
+        }
+        if x >> 24 == 0 {
+            x <<= 8;
+            zeros += 8;
+        }
+        if x >> 28 == 0 {
+            x <<= 4;
+            zeros += 4;
+        }
+        zeros + ZEROS[(x >> 28) as usize] as u32
+    }
+}
+
+/// `a b`
+#[cfg(not(multiply = "short"))]
+#[inline(always)]
+pub(super) const fn unsigned_product(a: u32, b: u32) -> u64 {
+    (a as u64).wrapping_mul(b as u64)
+}
+
+/// How many leading digits of `x` are zero; 32 for zero.
+#[cfg(not(multiply = "short"))]
+#[inline(always)]
+pub(super) const fn leading_zeros(x: u32) -> u32 {
+    x.leading_zeros()
 }
 
 /// `a b`
@@ -134,6 +208,12 @@ pub(super) fn dot2(a: [i32; 2], b: [i32; 2]) -> i64 {
 #[inline(always)]
 pub(super) fn dot(a: [i32; 3], b: [i32; 3]) -> i64 {
     add_product(dot2([a[0], a[1]], [b[0], b[1]]), a[2], b[2])
+}
+
+/// `sum + a0 b0 + a1 b1 + a2 b2`
+#[inline(always)]
+pub(super) fn add_dot(sum: i64, a: [i32; 3], b: [i32; 3]) -> i64 {
+    add_product(add_dot2(sum, [a[0], a[1]], [b[0], b[1]]), a[2], b[2])
 }
 
 /// `sum + a0 b0 + a1 b1`

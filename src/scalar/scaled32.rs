@@ -7,6 +7,7 @@ use fixed::types::I2F30;
 
 use super::Scaled;
 use super::integer::{high_product, long_quotient, quotient, round_shift, round_sqrt};
+use super::product::{leading_zeros, unsigned_product};
 
 /// A number `mantissa * 2^(exponent - 30)` whose mantissa has 30 bits (2^29 <= |mantissa| < 2^30), or zero.
 ///
@@ -37,28 +38,34 @@ impl Scaled32 {
     /// The exponent of zero: below all others, so that zero never counts where exponents are compared.
     pub(super) const LOWEST: i32 = -LIMIT;
 
-    const ZERO: Self = <Self as Scaled>::ZERO;
+    pub(super) const ZERO: Self = <Self as Scaled>::ZERO;
 
     /// `x factor / 2^30 / d` for a factor in `[2^30, 2^31]` and `d >= 0`, to 2^-28; zero for `d = 0`.
     #[inline(always)]
-    pub(super) const fn quotient_of_product(x: Self, factor: u32, d: Self) -> Self {
+    pub(super) fn quotient_of_product(x: Self, factor: u32, d: Self) -> Self {
         let sign = x.mantissa >> 31;
         let n = high_product(((x.mantissa ^ sign).wrapping_sub(sign) as u32) << 2, factor);
         if n == 0 || d.mantissa == 0 {
             return Self::ZERO;
         }
-        let zeros = (n | 1).leading_zeros();
-        let q = long_quotient(n.wrapping_shl(zeros), (d.mantissa as u32) << 2);
-        let places = (q | 1).leading_zeros();
-        let q = (q.wrapping_shl(places) >> 2) as i32;
-        let shift = 4i32.wrapping_sub(zeros as i32).wrapping_sub(places as i32);
-        let exponent = x.exponent.wrapping_sub(d.exponent).wrapping_add(shift);
-        Self { mantissa: (q ^ sign).wrapping_sub(sign), exponent }
+        let q = Self::leading_quotient((n, x.exponent), (d.mantissa as u32, d.exponent));
+        Self { mantissa: (q.mantissa ^ sign).wrapping_sub(sign), exponent: q.exponent }
+    }
+
+    /// The quotient of two numbers above zero with exponents, `m 2^(e - 30)` each, to 2^-28.
+    #[inline(always)]
+    pub(super) fn leading_quotient((n, n_exponent): (u32, i32), (d, d_exponent): (u32, i32)) -> Self {
+        let (n_zeros, d_zeros) = (leading_zeros(n | 1), leading_zeros(d | 1));
+        let q = long_quotient(n.wrapping_shl(n_zeros), d.wrapping_shl(d_zeros));
+        let places = leading_zeros(q | 1);
+        let mantissa = (q.wrapping_shl(places) >> 2) as i32;
+        let shift = 2i32.wrapping_sub(n_zeros as i32).wrapping_add(d_zeros as i32).wrapping_sub(places as i32);
+        Self { mantissa, exponent: n_exponent.wrapping_sub(d_exponent).wrapping_add(shift) }
     }
 
     /// `x * 2^exponent`, rounded to 30 bits.
     #[inline(always)]
-    pub(crate) const fn new(x: i64, exponent: i32) -> Self {
+    pub(crate) fn new(x: i64, exponent: i32) -> Self {
         let (top, exponent, sign) = Self::leading(x, exponent);
         // Two places less, rounded; a carry into bit 30 leaves a power of two, which halves exactly.
         let rounded = (top >> 2).wrapping_add((top >> 1) & 1);
@@ -69,7 +76,7 @@ impl Scaled32 {
 
     /// The leading 32 bits of |x|, the exponent of `x * 2^exponent`, and the sign, 0 or -1.
     #[inline(always)]
-    const fn leading(x: i64, exponent: i32) -> (u32, i32, i32) {
+    fn leading(x: i64, exponent: i32) -> (u32, i32, i32) {
         let sign = (x >> 63) as i32;
         let magnitude = x.unsigned_abs();
         let (mut high, mut low, mut exponent) = ((magnitude >> 32) as u32, magnitude as u32, exponent.wrapping_add(64));
@@ -79,25 +86,25 @@ impl Scaled32 {
                 return (0, Self::LOWEST, 0);
             }
         }
-        let zeros = (high | 1).leading_zeros();
+        let zeros = leading_zeros(high | 1);
         let top = high.wrapping_shl(zeros) | (low >> 1).wrapping_shr(31 ^ zeros);
         (top, exponent.wrapping_sub(zeros as i32), sign)
     }
 
     /// `x * 2^exponent`, cut off towards zero to 30 bits.
     #[inline(always)]
-    pub(super) const fn cut(x: i64, exponent: i32) -> Self {
+    pub(super) fn cut(x: i64, exponent: i32) -> Self {
         let (top, exponent, sign) = Self::leading(x, exponent);
         Self { mantissa: ((top >> 2) as i32 ^ sign).wrapping_sub(sign), exponent }
     }
 
     /// `x * 2^(exponent - 32)`, cut off to 30 bits.
     #[inline(always)]
-    pub(super) const fn cut32(x: u32, exponent: i32) -> Self {
+    pub(super) fn cut32(x: u32, exponent: i32) -> Self {
         if x == 0 {
             return Self::ZERO;
         }
-        let zeros = (x | 1).leading_zeros();
+        let zeros = leading_zeros(x | 1);
         Self { mantissa: (x.wrapping_shl(zeros) >> 2) as i32, exponent: exponent.wrapping_sub(zeros as i32) }
     }
 
@@ -202,7 +209,7 @@ impl Mul for Scaled32 {
     #[inline(never)]
     fn mul(self, other: Self) -> Self {
         let sign = (self.mantissa ^ other.mantissa) >> 31;
-        let product = (self.mantissa.unsigned_abs() as u64).wrapping_mul(other.mantissa.unsigned_abs() as u64);
+        let product = unsigned_product(self.mantissa.unsigned_abs(), other.mantissa.unsigned_abs());
         if product == 0 {
             return Self::ZERO;
         }

@@ -1,0 +1,119 @@
+//! Which way a sliding contact slides, in fixed point.
+
+use super::MAX_SLIP_ITERATIONS;
+use super::contact32::ONE;
+use super::integer::{high_product, inverse_root, reciprocal};
+use super::product::{dot, dot2, leading_zeros, product};
+use super::wide::{high, leading_zeros64, leading32, magnitude, narrow, times30};
+
+/// The equation of `impulse/slip.rs`, squared so that no root has to be taken: (t |N|)^2 = B^2, B = load D - t coupling . N
+/// with coupling = -mu K_nt / K_nn.
+/// All in Q2.30 but q, p and the load, which have a common unit and are within 2^29, 2^29.5 and 2^30.
+pub(super) struct Slip32 {
+    pub q: [i32; 2],
+    pub p: [i32; 2],
+    pub half_trace: i32,
+    pub determinant: i32,
+    pub load: i32,
+    pub coupling: [i32; 2],
+}
+
+impl Slip32 {
+    /// N(t)
+    #[inline(always)]
+    fn numerator(&self, t: i32) -> [i32; 2] {
+        [self.q[0].wrapping_add(times30(t, self.p[0])), self.q[1].wrapping_add(times30(t, self.p[1]))]
+    }
+
+    /// B, the difference of the squares, and half its derivative.
+    #[inline(always)]
+    fn excess(&self, t: i32) -> (i32, i64, i64) {
+        let tp = [times30(t, self.p[0]), times30(t, self.p[1])];
+        let n = [self.q[0].wrapping_add(tp[0]), self.q[1].wrapping_add(tp[1])];
+        let tn = [times30(t, n[0]), times30(t, n[1])];
+        // d(t N)/dt, no longer than q.
+        let m = [n[0].wrapping_add(tp[0]), n[1].wrapping_add(tp[1])];
+        let rest = ONE.wrapping_sub(t);
+        let (th, td) = (times30(t, self.half_trace), times30(t, self.determinant));
+        let d = narrow::<30>(dot([rest, th, t], [rest, rest, td]).wrapping_add(product(rest, th)));
+        let half_slope = td.wrapping_sub(rest).wrapping_add(times30(self.half_trace, rest.wrapping_sub(t)));
+        let b = times30(self.load, d).wrapping_sub(narrow::<30>(dot2(self.coupling, tn)));
+        let half_b = times30(self.load, half_slope).wrapping_sub(narrow::<31>(dot2(self.coupling, m)));
+        let excess = dot([tn[0], tn[1], b], [tn[0], tn[1], b.wrapping_neg()]);
+        let slope = dot2(tn, m).wrapping_sub(product(b, half_b) << 1);
+        (b, excess, slope)
+    }
+
+    /// A first guess: Newton's step from t = 0, with the length of q to a few percent.
+    #[inline(always)]
+    fn guess(&self) -> i32 {
+        let (x, y) = (self.q[0].unsigned_abs(), self.q[1].unsigned_abs());
+        let (long, short) = if x < y { (y, x) } else { (x, y) };
+        let length = long.wrapping_sub(long >> 5).wrapping_add((short >> 2).wrapping_add(short >> 3));
+        let rise = (ONE.wrapping_sub(self.half_trace)) as u32;
+        let rise = high_product((self.load as u32) << 1, rise << 2);
+        let along = narrow::<30>(dot2(self.coupling, self.q));
+        let slope = length.wrapping_add(rise).wrapping_add(along as u32);
+        if (slope as i32) <= self.load {
+            return ONE >> 1;
+        }
+        let zeros = leading_zeros(slope);
+        high_product((self.load as u32) << zeros, reciprocal(slope << zeros)) as i32
+    }
+
+    /// The direction of sliding after the impact, in Q2.30.
+    #[inline(always)]
+    pub fn direction(&self) -> [i32; 2] {
+        let (mut low, mut high_end) = (0, ONE);
+        let mut t = self.guess();
+        for _ in 0..MAX_SLIP_ITERATIONS {
+            let (b, excess, slope) = self.excess(t);
+            if b < 0 || excess >= 0 {
+                high_end = t;
+            } else {
+                low = t;
+            }
+            let step = step(excess, slope);
+            let next = t.wrapping_sub(step);
+            if b > 0 && step.unsigned_abs() < SMALL_STEP {
+                t = if next < ONE { next } else { ONE };
+                break;
+            }
+            t = if b > 0 && next > low && next < high_end { next } else { low.wrapping_add(high_end) >> 1 };
+        }
+        unit(self.numerator(t))
+    }
+}
+
+/// A step after which Newton's method is at its end: half its square, or some of that, is what is left.
+const SMALL_STEP: u32 = 1 << 15;
+
+/// `excess / (2 slope)` in Q2.30, to 26 bits; beyond 1/2 something that is outside every bracket.
+#[inline(always)]
+fn step(excess: i64, slope: i64) -> i32 {
+    if slope <= 0 || (excess ^ (excess >> 63)) >= slope {
+        return i32::MAX;
+    }
+    let zeros = leading_zeros64(slope);
+    let over = reciprocal(leading32(slope, zeros));
+    high(product(high(excess << zeros.wrapping_sub(1)), (over >> 1) as i32)) << 1
+}
+
+/// The vector over its length, in Q2.30.
+#[inline(always)]
+fn unit(v: [i32; 2]) -> [i32; 2] {
+    let up = magnitude([v[0], v[1], 0]).leading_zeros().wrapping_sub(2);
+    let v = [v[0] << up, v[1] << up];
+    // In [2^58, 2^61).
+    let square = dot2(v, v) as u64;
+    let places = leading_zeros64(square as i64) & 62;
+    // 2^30 sqrt(2^64 / (square 2^places)), in [2^30, 2^31].
+    let root = inverse_root((square << places >> 32) as u32);
+    // v root / 2^30 2^(places / 2) / 2^32
+    let down = 32u32.wrapping_sub(places / 2);
+    let d = |x: i32| (product(x, (root >> 1) as i32) >> down.wrapping_sub(1)) as i32;
+    let d = [d(v[0]), d(v[1])];
+    // One step of Newton's for the length.
+    let lacks = narrow::<31>((1i64 << 60).wrapping_sub(dot2(d, d)));
+    [d[0].wrapping_add(times30(d[0], lacks)), d[1].wrapping_add(times30(d[1], lacks))]
+}

@@ -1,0 +1,134 @@
+//! What is stored: velocities and reports in the format, rounded once, and at the end of the range where they leave it.
+
+use fixed::FixedI32;
+use fixed::types::I2F30;
+use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30};
+
+use super::product::product;
+use super::scaled32::{Scaled32, shift_product};
+use super::wide::bits_of;
+use crate::math::Vec3;
+
+/// `x` clipped to 32 bits, and whether that changed it.
+#[inline(always)]
+pub(super) const fn clip(x: i64) -> (i32, bool) {
+    if x > i32::MAX as i64 {
+        (i32::MAX, true)
+    } else if x < i32::MIN as i64 {
+        (i32::MIN, true)
+    } else {
+        (x as i32, false)
+    }
+}
+
+/// `x + k d` for a block `d` of Q2.30 and components of `x` in units of 2^-frac: rounded once a component, and whether a
+/// component met the end of the range.
+#[inline(always)]
+pub(super) fn add_scaled<Frac>(x: &mut Vec3<FixedI32<Frac>>, d: [i32; 3], k: i32, exponent: i32) -> bool
+where
+    Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
+{
+    // The upper half of the product has 29 bits or less and moves right by a place or more:
+    // what was cut off below makes no difference to the rounding.
+    let down = 28i32.wrapping_sub(Frac::I32).wrapping_sub(exponent);
+    if down <= 0 {
+        return add_far(x, d, k, exponent);
+    }
+    let down = (down as u32).min(31);
+    let half = (1u32.wrapping_shl(down) >> 1) as i32;
+    let change = |d: i32| moved((product(d, k) >> 32) as i32, half, down);
+    if add_change(x, [change(d[0]), change(d[1]), change(d[2])]) { add_far(x, d, k, exponent) } else { false }
+}
+
+/// `x + d` for a vector `d` in units of 2^exponent, with components within 2^30, and components of `x` in units of 2^-frac.
+#[inline(always)]
+pub(super) fn add_block<Frac>(x: &mut Vec3<FixedI32<Frac>>, d: [i32; 3], exponent: i32) -> bool
+where
+    Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
+{
+    let down = exponent.wrapping_add(Frac::I32).wrapping_neg();
+    if down <= 0 {
+        return add_far(x, d, 1 << 29, exponent.wrapping_add(31));
+    }
+    let down = (down as u32).min(31);
+    let half = (1u32.wrapping_shl(down) >> 1) as i32;
+    let change = [moved(d[0], half, down), moved(d[1], half, down), moved(d[2], half, down)];
+    if add_change(x, change) { add_far(x, d, 1 << 29, exponent.wrapping_add(31)) } else { false }
+}
+
+/// `x` moved right and rounded.
+#[inline(always)]
+const fn moved(x: i32, half: i32, down: u32) -> i32 {
+    x.wrapping_add(half).wrapping_shr(down)
+}
+
+/// Adds `change`, or where a component would leave the range nothing; and says so.
+#[inline(always)]
+fn add_change<Frac>(x: &mut Vec3<FixedI32<Frac>>, change: [i32; 3]) -> bool {
+    let bits = bits_of(x);
+    let Some(x0) = bits[0].checked_add(change[0]) else { return true };
+    let Some(x1) = bits[1].checked_add(change[1]) else { return true };
+    let Some(x2) = bits[2].checked_add(change[2]) else { return true };
+    *x = Vec3::new(FixedI32::from_bits(x0), FixedI32::from_bits(x1), FixedI32::from_bits(x2));
+    false
+}
+
+/// The nearest number to one of 2^29 units of the last place and more.
+#[cold]
+#[inline(never)]
+fn from_large<Frac>(x: Scaled32) -> (FixedI32<Frac>, bool)
+where
+    Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
+{
+    let (bits, clipped) = clip(x.to_bits(Frac::I32));
+    (FixedI32::from_bits(bits), clipped)
+}
+
+/// The same for changes of 2^26 units of the last place and more.
+#[cold]
+#[inline(never)]
+fn add_far<Frac>(x: &mut Vec3<FixedI32<Frac>>, d: [i32; 3], k: i32, exponent: i32) -> bool
+where
+    Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
+{
+    let down = 60i32.wrapping_sub(Frac::I32).wrapping_sub(exponent);
+    let bits = bits_of(x);
+    let (x0, met0) = clip(shift_product(product(d[0], k), down).wrapping_add(bits[0] as i64));
+    let (x1, met1) = clip(shift_product(product(d[1], k), down).wrapping_add(bits[1] as i64));
+    let (x2, met2) = clip(shift_product(product(d[2], k), down).wrapping_add(bits[2] as i64));
+    *x = Vec3::new(FixedI32::from_bits(x0), FixedI32::from_bits(x1), FixedI32::from_bits(x2));
+    met0 | met1 | met2
+}
+
+/// The nearest number, and whether the end of the range was met.
+#[inline(always)]
+pub(super) fn from_scaled<Frac>(x: Scaled32) -> (FixedI32<Frac>, bool)
+where
+    Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
+{
+    let down = 30i32.wrapping_sub(x.exponent()).wrapping_sub(Frac::I32);
+    if down <= 0 {
+        return from_large(x);
+    }
+    // A mantissa below 2^30 and the half of 2^31 are cut to nothing.
+    let down = (down as u32).min(31);
+    let half = (1u32.wrapping_shl(down) >> 1) as i32;
+    let m = x.mantissa();
+    (FixedI32::from_bits(m.wrapping_add(half).wrapping_add(m >> 31).wrapping_shr(down)), false)
+}
+
+/// The same for `mantissa * 2^exponent`.
+#[inline(always)]
+pub(super) fn from_block<Frac>(mantissa: I2F30, exponent: i32) -> (FixedI32<Frac>, bool)
+where
+    Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
+{
+    let down = 30i32.wrapping_sub(exponent).wrapping_sub(Frac::I32);
+    if down <= 0 {
+        return from_large(Scaled32::new(mantissa.to_bits() as i64, exponent.wrapping_sub(30)));
+    }
+    // The last place first: with one half of 2^31, a mantissa of 31 bits would leave the range.
+    let down = (down as u32).min(31).wrapping_sub(1);
+    let half = (1u32.wrapping_shl(down) >> 1) as i32;
+    (FixedI32::from_bits(moved(mantissa.to_bits() >> 1, half, down)), false)
+}

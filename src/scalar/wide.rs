@@ -1,0 +1,88 @@
+//! Halves, shifts and sizes of 64-bit numbers, and arithmetic in Q2.30 that is cut off: what blocks are computed with.
+
+use fixed::FixedI32;
+use fixed::types::I2F30;
+
+use super::integer::long_quotient;
+use super::product::{dot, leading_zeros, product};
+use crate::math::Vec3;
+
+/// `x / 2^K` cut off, for results within 32 bits. (From halves: the compiler then knows that a product of it is one of
+/// 32-bit numbers.)
+#[inline(always)]
+pub(super) const fn narrow<const K: u32>(x: i64) -> i32 {
+    let (low, high) = (x as u32, (x >> 32) as u32);
+    if K == 32 { high as i32 } else { (high.wrapping_shl(32 - K) | low >> K) as i32 }
+}
+
+/// `x / 2^places` cut off. `places` in `0..=31`.
+#[inline(always)]
+pub(super) const fn shift_right(x: i64, places: u32) -> i64 {
+    let (low, high) = (x as u32, (x >> 32) as i32);
+    let low = low.wrapping_shr(places) | ((high as u32) << 1).wrapping_shl(31 ^ places);
+    (high.wrapping_shr(places) as i64) << 32 | low as i64
+}
+
+/// `x 2^places / 2^32` cut off, for results within 32 bits. `places` in `0..=31`.
+#[inline(always)]
+pub(super) const fn shift_left(x: i64, places: u32) -> i32 {
+    ((x >> 32) as u32).wrapping_shl(places) as i32 | (x as u32 >> 1).wrapping_shr(31 ^ places) as i32
+}
+
+/// A number with as many bits as the largest of three, at least one.
+#[inline(always)]
+pub(super) const fn magnitude(v: [i32; 3]) -> u32 {
+    // x ^ (x >> 31) is |x| for this purpose, without its exception at the lowest number.
+    ((v[0] ^ (v[0] >> 31)) | (v[1] ^ (v[1] >> 31)) | (v[2] ^ (v[2] >> 31)) | 1) as u32
+}
+
+#[inline(always)]
+pub(super) fn bits_of<Frac>(v: &Vec3<FixedI32<Frac>>) -> [i32; 3] {
+    [v.x.to_bits(), v.y.to_bits(), v.z.to_bits()]
+}
+
+#[inline(always)]
+pub(super) fn bits(v: &Vec3<I2F30>) -> [i32; 3] {
+    [v.x.to_bits(), v.y.to_bits(), v.z.to_bits()]
+}
+
+#[inline(always)]
+pub(super) fn high(x: i64) -> i32 {
+    (x >> 32) as i32
+}
+
+/// The leading zeros of a number above zero.
+#[inline(always)]
+pub(super) fn leading_zeros64(x: i64) -> u32 {
+    let (high, low) = ((x >> 32) as u32, x as u32);
+    if high == 0 { leading_zeros(low).wrapping_add(32) } else { leading_zeros(high) }
+}
+
+/// The leading 32 bits of a positive number, for the number of its leading zeros.
+#[inline(always)]
+pub(super) fn leading32(x: i64, zeros: u32) -> u32 {
+    ((x as u64) << zeros >> 32) as u32
+}
+
+#[inline(always)]
+pub(super) const fn max(a: i32, b: i32) -> i32 {
+    if a < b { b } else { a }
+}
+
+/// `a b / 2^30` cut off: a product of numbers in Q2.30.
+#[inline(always)]
+pub(super) fn times30(a: i32, b: i32) -> i32 {
+    narrow::<30>(product(a, b))
+}
+
+/// The sum of three such products, cut off once.
+#[inline(always)]
+pub(super) fn dot30(a: [i32; 3], b: [i32; 3]) -> i32 {
+    narrow::<30>(dot(a, b))
+}
+
+/// `2^61 / d` for `d` in `[2^31, 2^32)`.
+#[inline(always)]
+pub(super) fn inverse(d: u32) -> i32 {
+    long_quotient(1 << 31, d) as i32
+}
