@@ -18,7 +18,7 @@ pub(super) fn limit_energy<T: Scaled>(block: &ContactBlock<T>, friction: T, impu
     if energy(j) <= T::ZERO {
         return None;
     }
-    let (safe, _) = block.solve(T::ZERO, friction);
+    let (safe, _) = block.solve_apart(T::ZERO, friction);
     let base = safe.whole;
     let d = [j[0] - base[0], j[1] - base[1], j[2] - base[2]];
     let after = add(block.change(base), block.velocity, T::ONE);

@@ -36,6 +36,8 @@ pub(super) struct ContactBlock<T> {
     pub velocity: [T; 3],
     /// The unit normal.
     pub normal: [T; 3],
+    /// The relative velocity along it, below zero.
+    pub speed: T,
     /// 1/m_a + 1/m_b, below which no direction's inverse mass can be.
     pub least: T,
 }
@@ -57,11 +59,13 @@ impl<T: Scaled> ContactBlock<T> {
         inverse_mass: &SymBlock<S>,
         velocity: &Block<S>,
         normal: &Vec3<S::Unit>,
+        speed: T,
         inv_masses: [T; 2],
     ) -> Self {
         let normal = [normal.x.to_scaled(), normal.y.to_scaled(), normal.z.to_scaled()];
         let least = inv_masses[0] + inv_masses[1];
-        let block = Self { inverse_mass: inverse_mass.to_scaled(), velocity: velocity.to_scaled(), normal, least };
+        let block =
+            Self { inverse_mass: inverse_mass.to_scaled(), velocity: velocity.to_scaled(), normal, speed, least };
         // Bodies held in place that can only turn have directions in which nothing gives way.
         Self { least: least.max(T::EPSILON * block.trace()), ..block }
     }
@@ -83,8 +87,7 @@ impl<T: Scaled> ContactBlock<T> {
     /// The impulse that gives v_n' = -e v_n under friction mu.
     #[inline(always)]
     pub fn solve(&self, restitution: T, friction: T) -> (Impulse<T>, Outcome) {
-        let n = self.normal;
-        let speed = dot(self.velocity, n);
+        let (n, speed) = (self.normal, self.speed);
         let j = self.answer_to(add(self.velocity, n, restitution * speed));
         let normal = dot(j, n);
         let across = add(j, n, -normal);
@@ -93,6 +96,12 @@ impl<T: Scaled> ContactBlock<T> {
             return (Impulse { normal, across, whole: j }, Outcome::Stuck);
         }
         (self.slide((T::ONE + restitution) * speed, friction), Outcome::Slid)
+    }
+
+    /// The same outside the caller: for what is rarely needed.
+    #[inline(never)]
+    pub fn solve_apart(&self, restitution: T, friction: T) -> (Impulse<T>, Outcome) {
+        self.solve(restitution, friction)
     }
 
     /// -K^-1 v: once more for what is left, where K is ill-conditioned.
@@ -130,7 +139,7 @@ impl<T: Scaled> ContactBlock<T> {
         let (g1, g2) = (k_n1 * over, k_n2 * over);
         let s12 = dot(k_1, t2) - k_n1 * g2;
         let k11 = dot(k_1, t1);
-        let k22 = self.trace() - nn - k11;
+        let k22 = dot(self.change(t2), t2);
         let (s11, s22) = ((k11 - k_n1 * g1).max(least), (k22 - k_n2 * g2).max(least));
         let (q1, q2) = (dot(self.velocity, t1) - g1 * b, dot(self.velocity, t2) - g2 * b);
         let (large, small) = if s11 < s22 { (s22, s11) } else { (s11, s22) };

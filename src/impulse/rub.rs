@@ -2,7 +2,7 @@
 
 use super::apply::apply_block;
 use super::energy::limit_energy;
-use super::friction::{ContactBlock, Impulse, dot};
+use super::friction::{ContactBlock, Impulse};
 use super::lever::without_impulse;
 use super::{Impact, Outcome};
 use crate::body::Body;
@@ -34,7 +34,7 @@ pub(super) fn rub<S: Scalar>(
     let surface = [material.restitution(), material.friction()];
     let (j, outcome) = match S::contact_impulse(&inverse_mass, &velocity, &normal, surface) {
         Some((j, stuck)) => (j, if stuck { Outcome::Stuck } else { Outcome::Slid }),
-        None => match solve_scaled(&inverse_mass, &velocity, &normal, inv_masses, material) {
+        None => match solve_scaled(&inverse_mass, &velocity, (&normal, speed), inv_masses, material) {
             Ok(solved) => solved,
             Err(outcome) => return Impact::nothing(outcome),
         },
@@ -42,12 +42,13 @@ pub(super) fn rub<S: Scalar>(
     let j = match material.law {
         RestitutionLaw::Newton => j,
         RestitutionLaw::EnergySafe => {
-            let block = ContactBlock::new(&inverse_mass, &velocity, &normal, inv_masses);
+            let block =
+                ContactBlock::new(&inverse_mass, &velocity, &normal, speed.raised(velocity.exponent), inv_masses);
             limit_energy(&block, material.friction().to_scaled(), Impulse::from_block(&j)).map_or(j, Impulse::to_block)
         }
     };
     let clipped = apply_block(a, b, [r_a, r_b], &arms, &Block { mantissas: j.whole, exponent: j.exponent });
-    let (normal_impulse, large) = S::from_block(j.normal, j.exponent);
+    let (normal_impulse, large) = S::from_block(j.normal, j.normal_exponent);
     let (x, large_x) = S::from_block(j.across.x, j.exponent);
     let (y, large_y) = S::from_block(j.across.y, j.exponent);
     let (z, large_z) = S::from_block(j.across.z, j.exponent);
@@ -77,17 +78,22 @@ fn unmoved<S: Scalar>(
 fn solve_scaled<S: Scalar>(
     inverse_mass: &SymBlock<S>,
     velocity: &Block<S>,
-    normal: &Vec3<S::Unit>,
+    (normal, speed): (&Vec3<S::Unit>, S::Scaled),
     inv_masses: [S::Scaled; 2],
     material: &Material<S>,
 ) -> Result<(BlockImpulse<S>, Outcome), Outcome> {
-    let block = ContactBlock::new(inverse_mass, velocity, normal, inv_masses);
-    let refuse = || Err(without_impulse(dot(block.velocity, block.normal), block.trace()));
+    // The exact sum, rounded once: one of rounded terms could have the other sign.
+    let speed = speed.raised(velocity.exponent);
+    let block = ContactBlock::new(inverse_mass, velocity, normal, speed, inv_masses);
+    let refuse = || Err(without_impulse(block.speed, block.trace()));
     let movable = block.trace() > S::Scaled::ZERO;
     if !movable {
         return refuse();
     }
-    let (j, outcome) = block.solve(material.restitution().to_scaled(), material.friction().to_scaled());
+    let (restitution, friction) = (material.restitution().to_scaled(), material.friction().to_scaled());
+    // A float has no other way.
+    let (j, outcome) =
+        if S::SYMMETRIC { block.solve(restitution, friction) } else { block.solve_apart(restitution, friction) };
     if !(j.whole[0] + j.whole[1] + j.whole[2]).is_finite() {
         return refuse();
     }

@@ -21,16 +21,18 @@ pub struct SymBlock<S: Scalar> {
     pub exponent: S::Exponent,
 }
 
-/// An impulse of any magnitude in a contact: three vectors under one power of two.
+/// An impulse of any magnitude in a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BlockImpulse<S: Scalar> {
-    /// Along the normal.
+    /// Along the normal, under a power of two of its own: strong friction can leave it a small part of the whole.
     pub normal: S::Unit,
+    /// The power of two of the part along the normal.
+    pub normal_exponent: S::Exponent,
     /// Across the normal.
     pub across: Vec3<S::Unit>,
     /// The sum of both.
     pub whole: Vec3<S::Unit>,
-    /// The power of two.
+    /// The power of two of the vectors.
     pub exponent: S::Exponent,
 }
 
@@ -63,14 +65,15 @@ impl<S: Scalar> BlockImpulse<S> {
         let Block { mantissas, exponent } = Block::<S>::align(whole);
         let [x, y, z] = across;
         let across = Vec3::new(x.lowered(exponent), y.lowered(exponent), z.lowered(exponent));
-        Self { normal: normal.lowered(exponent), across, whole: mantissas, exponent }
+        let along = Block::<S>::align([normal, S::Scaled::ZERO, S::Scaled::ZERO]);
+        Self { normal: along.mantissas.x, normal_exponent: along.exponent, across, whole: mantissas, exponent }
     }
 
     /// Along the normal, across it, and the whole.
     #[inline(always)]
     pub(crate) fn to_scaled(self) -> (S::Scaled, [S::Scaled; 3], [S::Scaled; 3]) {
         let vector = |mantissas: Vec3<S::Unit>| Block::<S> { mantissas, exponent: self.exponent }.to_scaled();
-        (scaled::<S>(self.normal, self.exponent), vector(self.across), vector(self.whole))
+        (scaled::<S>(self.normal, self.normal_exponent), vector(self.across), vector(self.whole))
     }
 }
 

@@ -57,13 +57,13 @@ impl Arm32 {
         }
     }
 
-    /// W j for a vector within 2^30.8, cut off by 2^32, and its exponent.
+    /// W j for a vector within 2^30.8, within 2^30.7, and its exponent.
     #[inline(always)]
     pub(super) fn turn(&self, j: [i32; 3]) -> ([i32; 3], i32) {
         let [x, y, z] = self.turn;
-        // Below 3 2^60.
-        let turn = [narrow::<32>(dot(x, j)), narrow::<32>(dot(y, j)), narrow::<32>(dot(z, j))];
-        (turn, self.turn_exponent.wrapping_add(32))
+        // |W| < 2^30.8 a row.
+        let turn = [narrow::<31>(dot(x, j)), narrow::<31>(dot(y, j)), narrow::<31>(dot(z, j))];
+        (turn, self.turn_exponent.wrapping_add(31))
     }
 
     #[inline(always)]

@@ -119,8 +119,7 @@ impl Contact32 {
             return None;
         }
         let (k11, k12) = (dot30(k_1, t1), dot30(k_1, t2));
-        let trace = (x[0] >> 1).wrapping_add(y[1] >> 1).wrapping_add(z[2] >> 1);
-        let k22 = trace.wrapping_sub(nn).wrapping_sub(k11);
+        let k22 = dot30(half(t2), t2);
 
         // K_nt / K_nn in Q5.27.
         let nn_zeros = leading_zeros(nn as u32);
@@ -208,7 +207,7 @@ impl Contact32 {
 }
 
 /// The exponent of the least determinant for which the adjugate is precise enough.
-const LEAST_DETERMINANT: u32 = 57;
+const LEAST_DETERMINANT: u32 = 58;
 
 /// Two unit vectors across a unit vector whose last component is not below zero, and each other; as `UnitVec3::tangents`.
 #[inline(always)]

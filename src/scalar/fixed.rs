@@ -317,11 +317,15 @@ where
             friction: friction << up,
         };
         let Impulse32 { normal, across, whole, exponent, stuck } = contact.solve()?;
-        let normal = I2F30::from_bits(normal);
-        Some((
-            BlockImpulse { normal, across: units(across), whole: units(whole), exponent: exponent.wrapping_add(30) },
-            stuck,
-        ))
+        let exponent = exponent.wrapping_add(30);
+        let impulse = BlockImpulse {
+            normal: I2F30::from_bits(normal),
+            normal_exponent: exponent,
+            across: units(across),
+            whole: units(whole),
+            exponent,
+        };
+        Some((impulse, stuck))
     }
 
     #[inline(always)]

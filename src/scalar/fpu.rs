@@ -1,4 +1,4 @@
-//! The square root of the floating-point unit: the library's one island of `unsafe`.
+//! The square root of the floating-point unit: an island of `unsafe`.
 #![allow(unsafe_code)]
 
 use core::arch::asm;

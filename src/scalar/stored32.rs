@@ -40,7 +40,7 @@ where
     if add_change(x, [change(d[0]), change(d[1]), change(d[2])]) { add_far(x, d, k, exponent) } else { false }
 }
 
-/// `x + d` for a vector `d` in units of 2^exponent, with components within 2^30, and components of `x` in units of 2^-frac.
+/// `x + d` for a vector `d` in units of 2^exponent, and components of `x` in units of 2^-frac.
 #[inline(always)]
 pub(super) fn add_block<Frac>(x: &mut Vec3<FixedI32<Frac>>, d: [i32; 3], exponent: i32) -> bool
 where
@@ -50,10 +50,17 @@ where
     if down <= 0 {
         return add_far(x, d, 1 << 29, exponent.wrapping_add(31));
     }
-    let down = (down as u32).min(31);
-    let half = (1u32.wrapping_shl(down) >> 1) as i32;
-    let change = [moved(d[0], half, down), moved(d[1], half, down), moved(d[2], half, down)];
+    let (half, down) = half_of(down);
+    let change = [moved(d[0] >> 1, half, down), moved(d[1] >> 1, half, down), moved(d[2] >> 1, half, down)];
     if add_change(x, change) { add_far(x, d, 1 << 29, exponent.wrapping_add(31)) } else { false }
+}
+
+/// The half to add and the places to move right by, for a number of 31 bits whose last place has been cut off: with one half
+/// of 2^31, it would leave the range.
+#[inline(always)]
+fn half_of(down: i32) -> (i32, u32) {
+    let down = (down as u32).min(31).wrapping_sub(1);
+    ((1u32.wrapping_shl(down) >> 1) as i32, down)
 }
 
 /// `x` moved right and rounded.
@@ -127,8 +134,6 @@ where
     if down <= 0 {
         return from_large(Scaled32::new(mantissa.to_bits() as i64, exponent.wrapping_sub(30)));
     }
-    // The last place first: with one half of 2^31, a mantissa of 31 bits would leave the range.
-    let down = (down as u32).min(31).wrapping_sub(1);
-    let half = (1u32.wrapping_shl(down) >> 1) as i32;
+    let (half, down) = half_of(down);
     (FixedI32::from_bits(moved(mantissa.to_bits() >> 1, half, down)), false)
 }
