@@ -132,14 +132,17 @@ impl<T: Scaled> ContactBlock<T> {
         // Rounding must not take any of these below 1/m_a + 1/m_b.
         let least = self.least;
         let nn = dot(k_n, n).max(least);
-        let (t1, t2) = tangents(n);
+        // Normals are of unit length to 2^-17 only, and the frame has to be one to the last digit.
+        let square = dot(n, n);
+        let over = T::ONE / square.sqrt();
+        let (t1, t2) = tangents([n[0] * over, n[1] * over, n[2] * over]);
         let k_1 = self.change(t1);
         let (k_n1, k_n2) = (dot(k_n, t1), dot(k_n, t2));
         let over = T::ONE / nn;
         let (g1, g2) = (k_n1 * over, k_n2 * over);
         let s12 = dot(k_1, t2) - k_n1 * g2;
         let k11 = dot(k_1, t1);
-        let k22 = dot(self.change(t2), t2);
+        let k22 = self.trace() - nn / square - k11;
         let (s11, s22) = ((k11 - k_n1 * g1).max(least), (k22 - k_n2 * g2).max(least));
         let (q1, q2) = (dot(self.velocity, t1) - g1 * b, dot(self.velocity, t2) - g2 * b);
         let (large, small) = if s11 < s22 { (s22, s11) } else { (s11, s22) };

@@ -104,8 +104,8 @@ pub(super) fn sliding<T: Scaled>(slip: &Slip<T>) -> Sliding<T> {
     if !(t > low && t < high) {
         t = half;
     }
-    // Where rounding of the value decides the step, further steps gain nothing.
-    let tolerance = T::from_parts(4, 0) * T::EPSILON;
+    // After a small step of Newton's its square, or some of that, is left.
+    let tolerance = T::from_parts(1, -5) * T::EPSILON;
     for _ in 0..MAX_SLIP_ITERATIONS {
         let (value, slope) = slip.excess(t);
         if value < T::ZERO {
@@ -114,11 +114,11 @@ pub(super) fn sliding<T: Scaled>(slip: &Slip<T>) -> Sliding<T> {
             high = t;
         }
         let step = value / slope;
-        let small = tolerance * t;
-        if step <= small && -small <= step {
+        let next = t - step;
+        if step * step <= tolerance * (t * t) {
+            t = if next < T::ONE { next } else { T::ONE };
             break;
         }
-        let next = t - step;
         t = if next > low && next < high { next } else { half * (low + high) };
     }
     let ([x, y], length) = slip.numerator(t);
