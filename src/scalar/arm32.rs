@@ -133,7 +133,7 @@ pub(super) fn inverse_mass(inv_masses: [Scaled32; 2], arms: [&Arm32; 2]) -> ([i3
 #[cold]
 #[inline(never)]
 fn far_mass(masses: u32, down: i32) -> i64 {
-    ((masses as i64) << 30) >> if down > 63 { 63 } else { down }
+    ((masses as i64) << 30).wrapping_shr(if down > 63 { 63 } else { down as u32 })
 }
 
 /// The mantissa of a number that is not negative, in units of 2^(top - 30).

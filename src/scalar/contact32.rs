@@ -123,8 +123,8 @@ impl Contact32 {
 
         // K_nt / K_nn in Q5.27.
         let nn_zeros = leading_zeros(nn as u32);
-        let over_nn = inverse((nn as u32) << nn_zeros);
-        let quotient = |x: i32| times30(x, over_nn) >> 4u32.wrapping_sub(nn_zeros);
+        let over_nn = inverse((nn as u32).wrapping_shl(nn_zeros));
+        let quotient = |x: i32| times30(x, over_nn).wrapping_shr(4u32.wrapping_sub(nn_zeros));
         let g = [quotient(n1), quotient(n2)];
         let less = |k: i32, a: i32, g: i32| k.wrapping_sub(narrow::<27>(product(a, g)));
         let (s11, s12, s22) = (less(k11, n1, g[0]), less(k12, n1, g[1]), less(k22, n2, g[1]));
@@ -135,10 +135,10 @@ impl Contact32 {
 
         // S over its larger diagonal element in Q2.30.
         let m_zeros = leading_zeros(m as u32);
-        let over_m = inverse((m as u32) << m_zeros);
+        let over_m = inverse((m as u32).wrapping_shl(m_zeros));
         let part = |s: i32| {
             let s = if s > m { m } else { s };
-            times30(s << m_zeros.wrapping_sub(1), over_m)
+            times30(s.wrapping_shl(m_zeros.wrapping_sub(1)), over_m)
         };
         let (s11, s22) = (part(max(s11, 0)), part(max(s22, 0)));
         let s12 = part(max(s12, m.wrapping_neg()));
@@ -155,7 +155,7 @@ impl Contact32 {
 
         // mu m / K_nn in Q(nn_zeros + 2).30, and times -b in the units of q.
         let load = narrow::<31>(product(self.friction, times30(m, over_nn)));
-        let load = product(load, b.wrapping_neg()) >> 37u32.wrapping_sub(nn_zeros).wrapping_sub(up);
+        let load = product(load, b.wrapping_neg()).wrapping_shr(37u32.wrapping_sub(nn_zeros).wrapping_sub(up));
         let minus = self.friction.wrapping_neg();
         let coupling = [product(minus, g[0]), product(minus, g[1])];
         // -mu K_nt / K_nn within 1, and at least a few bits of sliding left.
@@ -184,10 +184,10 @@ impl Contact32 {
         }
         let zeros = leading_zeros64(yields);
         let b_zeros = leading_zeros(b.unsigned_abs());
-        let quotient = long_quotient(b.unsigned_abs() << b_zeros, leading32(yields, zeros));
+        let quotient = long_quotient(b.unsigned_abs().wrapping_shl(b_zeros), leading32(yields, zeros));
         // The whole within 2^30.5.
         let places = if self.friction > ONE { 2 } else { 1 };
-        let normal = (quotient >> places) as i32;
+        let normal = quotient.wrapping_shr(places as u32) as i32;
         let friction = times30(self.friction, normal).wrapping_neg();
         let across = |i: usize| times30(friction, narrow::<30>(dot2([t1[i], t2[i]], d)));
         let across = [across(0), across(1), across(2)];
@@ -214,7 +214,7 @@ const LEAST_DETERMINANT: u32 = 58;
 fn tangents([x, y, z]: [i32; 3]) -> [[i32; 3]; 2] {
     let divisor = (ONE as u32).wrapping_add(z as u32);
     let zeros = leading_zeros(divisor);
-    let a = inverse(divisor << zeros) >> 1u32.wrapping_sub(zeros);
+    let a = inverse(divisor.wrapping_shl(zeros)).wrapping_shr(1u32.wrapping_sub(zeros));
     let (xa, ya) = (times30(x, a), times30(y, a));
     let b = times30(xa, y).wrapping_neg();
     [[ONE.wrapping_sub(times30(x, xa)), b, x.wrapping_neg()], [b, ONE.wrapping_sub(times30(y, ya)), y.wrapping_neg()]]

@@ -58,7 +58,7 @@ impl Slip32 {
             return ONE >> 1;
         }
         let zeros = leading_zeros(slope);
-        high_product((self.load as u32) << zeros, reciprocal(slope << zeros)) as i32
+        high_product((self.load as u32).wrapping_shl(zeros), reciprocal(slope.wrapping_shl(zeros))) as i32
     }
 
     /// The direction of sliding after the impact, in Q2.30.
@@ -66,7 +66,9 @@ impl Slip32 {
     pub fn direction(&self) -> [i32; 2] {
         let (mut low, mut high_end) = (0, ONE);
         let mut t = self.guess();
-        for _ in 0..MAX_SLIP_ITERATIONS {
+        let mut turns = MAX_SLIP_ITERATIONS;
+        while turns > 0 {
+            turns = turns.wrapping_sub(1);
             let (b, excess, slope) = self.excess(t);
             if b < 0 || excess >= 0 {
                 high_end = t;
@@ -96,22 +98,22 @@ fn step(excess: i64, slope: i64) -> i32 {
     }
     let zeros = leading_zeros64(slope);
     let over = reciprocal(leading32(slope, zeros));
-    high(product(high(excess << zeros.wrapping_sub(1)), (over >> 1) as i32)) << 1
+    high(product(high(excess.wrapping_shl(zeros.wrapping_sub(1))), (over >> 1) as i32)) << 1
 }
 
 /// The vector over its length, in Q2.30.
 #[inline(always)]
 fn unit(v: [i32; 2]) -> [i32; 2] {
     let up = magnitude([v[0], v[1], 0]).leading_zeros().wrapping_sub(2);
-    let v = [v[0] << up, v[1] << up];
+    let v = [v[0].wrapping_shl(up), v[1].wrapping_shl(up)];
     // In [2^58, 2^61).
     let square = dot2(v, v) as u64;
     let places = leading_zeros64(square as i64) & 62;
     // 2^30 sqrt(2^64 / (square 2^places)), in [2^30, 2^31].
-    let root = inverse_root((square << places >> 32) as u32);
+    let root = inverse_root((square.wrapping_shl(places) >> 32) as u32);
     // v root / 2^30 2^(places / 2) / 2^32
     let down = 32u32.wrapping_sub(places / 2);
-    let d = |x: i32| (product(x, (root >> 1) as i32) >> down.wrapping_sub(1)) as i32;
+    let d = |x: i32| product(x, (root >> 1) as i32).wrapping_shr(down.wrapping_sub(1)) as i32;
     let d = [d(v[0]), d(v[1])];
     // One step of Newton's for the length.
     let lacks = narrow::<31>((1i64 << 60).wrapping_sub(dot2(d, d)));

@@ -61,7 +61,7 @@ pub(super) fn leading_zeros64(x: i64) -> u32 {
 /// The leading 32 bits of a positive number, for the number of its leading zeros.
 #[inline(always)]
 pub(super) fn leading32(x: i64, zeros: u32) -> u32 {
-    ((x as u64) << zeros >> 32) as u32
+    ((x as u64).wrapping_shl(zeros) >> 32) as u32
 }
 
 #[inline(always)]
