@@ -130,7 +130,7 @@ pub const TABLE: &[Tolerance] = &[
     entry(BOTH, ALL, Q::Law, All, 2.5e-14, Found, "some 100 roundings to 53 bits in the closed form"),
     entry(BOTH, FIXED, Q::StoredImpulse, All, 6.0, Found, STORED),
     entry(BOTH, FIXED, Q::StoredVelocity, All, 6.0, Found, STORED),
-    entry(BOTH, FIXED, Q::StoredSpin, All, 15.0, Found, STORED),
+    entry(BOTH, FIXED, Q::StoredSpin, All, 8.0, Found, STORED),
     entry(
         IMPULSES,
         &[Number::I16F16],
