@@ -67,6 +67,7 @@ mod contact;
 mod error;
 mod hash;
 pub mod impulse;
+mod manifold;
 mod mass;
 mod math;
 mod scalar;
@@ -77,6 +78,7 @@ pub use error::{
     BodyError, ContactError, DirectionError, MassError, MaterialError, OrientationError, RangeError, SolidError,
 };
 pub use hash::StateHash;
+pub use manifold::{FeatureId, Manifold, ManifoldPoint};
 pub use mass::{MassProperties, Solid};
 pub use math::{Block, BlockImpulse, Mat3, Quat, SymBlock, SymMat3, UnitVec3, Vec3};
 #[cfg(feature = "fixed")]
