@@ -3,13 +3,14 @@
 use crate::error::BodyError;
 use crate::mass::MassProperties;
 use crate::math::{Quat, SymMat3, Vec3};
-use crate::scalar::{Scalar, Scaled};
+use crate::scalar::{Scalar, Scaled, StepArithmetic};
 
 /// A rigid body: where it is, how it moves, and how hard it is to move.
 ///
 /// Positions and velocities are plain fields. Mass and inertia are set together, through [`MassProperties`], and the
 /// orientation through [`set_orientation`](Self::set_orientation), which keeps the world-frame tensor R I^-1 R^T up to
-/// date. 104 bytes in f32; in fixed point 112.
+/// date. What the format cannot hold of a motion is carried from step to step, so that the slowest arrives in the end.
+/// 144 bytes in f32; in fixed point 156.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Body<S: Scalar> {
@@ -19,11 +20,33 @@ pub struct Body<S: Scalar> {
     pub linear_velocity: Vec3<S>,
     /// The angular velocity in the world's frame, rad/s.
     pub angular_velocity: Vec3<S>,
+    /// By how much gravity acts on the body: 1 as on others, 0 not at all.
+    pub gravity_scale: S,
+    /// The rate at which the velocity decays, 1/s: v' = -c v.
+    pub linear_damping: S,
+    /// The rate at which the angular velocity decays, 1/s.
+    pub angular_damping: S,
     pub(crate) inv_mass: S::Scaled,
     pub(crate) inv_inertia_world: SymMat3<S::Unit>,
     pub(crate) exponent: S::Exponent,
     inv_inertia_local: SymMat3<S::Unit>,
     orientation: Quat<S>,
+    pub(crate) gyration: Vec3<S::Unit>,
+    pub(crate) rests: Rests<S>,
+}
+
+/// What the formats cannot hold of a body's motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub(crate) struct Rests<S: Scalar> {
+    pub position: [S::Remainder; 3],
+    pub linear: [<S::Step as StepArithmetic<S>>::Rest; 3],
+    pub angular: [<S::Step as StepArithmetic<S>>::Rest; 3],
+}
+
+impl<S: Scalar> Rests<S> {
+    const NONE: Self =
+        Self { position: [S::NO_REMAINDER; 3], linear: [S::Step::NO_REST; 3], angular: [S::Step::NO_REST; 3] };
 }
 
 impl<S: Scalar> Body<S> {
@@ -34,11 +57,16 @@ impl<S: Scalar> Body<S> {
             position: Vec3::ZERO,
             linear_velocity: Vec3::ZERO,
             angular_velocity: Vec3::ZERO,
+            gravity_scale: S::ONE,
+            linear_damping: S::ZERO,
+            angular_damping: S::ZERO,
             inv_mass: S::Scaled::ZERO,
             inv_inertia_world: SymMat3::ZERO,
             exponent: S::NO_EXPONENT,
             inv_inertia_local: SymMat3::ZERO,
             orientation: Quat::IDENTITY,
+            gyration: Vec3::ZERO,
+            rests: Rests::NONE,
         }
     }
 
@@ -49,6 +77,7 @@ impl<S: Scalar> Body<S> {
             inv_inertia_world: mass.inv_inertia,
             exponent: mass.exponent,
             inv_inertia_local: mass.inv_inertia,
+            gyration: mass.gyration,
             ..Self::immovable()
         }
     }
@@ -67,6 +96,20 @@ impl<S: Scalar> Body<S> {
     pub fn set_orientation(&mut self, orientation: Quat<S>) {
         self.orientation = orientation;
         self.inv_inertia_world = self.inv_inertia_local.rotated(&orientation.to_mat3());
+    }
+
+    /// The orientation alone: the tensor in the world's frame is as before.
+    #[inline(always)]
+    pub(crate) fn set_orientation_alone(&mut self, orientation: Quat<S>) {
+        self.orientation = orientation;
+    }
+
+    /// Whether the inertia is the same about every axis, so that the orientation makes no difference to any motion.
+    #[inline(always)]
+    pub(crate) fn is_isotropic(&self) -> bool {
+        let SymMat3 { xx, xy, xz, yy, yz, zz } = self.inv_inertia_local;
+        let zero = S::Unit::ZERO;
+        xx == yy && yy == zz && xy == zero && xz == zero && yz == zero
     }
 
     /// Whether impulses leave the body as it is: its inverse mass and inertia are zero.

@@ -71,6 +71,7 @@ mod manifold;
 mod mass;
 mod math;
 mod scalar;
+pub mod solver;
 
 pub use body::Body;
 pub use contact::{Contact, Material, RestitutionLaw};
@@ -83,7 +84,7 @@ pub use mass::{MassProperties, Solid};
 pub use math::{Block, BlockImpulse, Mat3, Quat, SymBlock, SymMat3, UnitVec3, Vec3};
 #[cfg(feature = "fixed")]
 pub use scalar::Scaled32;
-pub use scalar::{Scalar, Scaled};
+pub use scalar::{Column, Scalar, Scaled, StepArithmetic};
 
 // The README's example compiles and runs.
 #[cfg(all(doctest, feature = "f32"))]

@@ -25,6 +25,8 @@ pub struct MassProperties<S: Scalar> {
     pub(crate) inv_mass: S::Scaled,
     pub(crate) inv_inertia: SymMat3<S::Unit>,
     pub(crate) exponent: S::Exponent,
+    /// (I_y - I_z)/I_x, (I_z - I_x)/I_y, (I_x - I_y)/I_z of the principal moments: what turns a free body's spin.
+    pub(crate) gyration: Vec3<S::Unit>,
 }
 
 fn ratio<S: Scalar>(numerator: i32, denominator: i32) -> S::Scaled {
@@ -265,14 +267,26 @@ impl<S: Scalar> MassProperties<S> {
             (x, y, exponent)
         };
         let ((xx, yy, exponent), (zz, xy, _), (xz, yz, _)) = (block(xx, yy), block(zz, xy), block(xz, yz));
-        Ok(Self { inv_mass, inv_inertia: SymMat3 { xx, xy, xz, yy, yz, zz }, exponent })
+        Ok(Self { inv_mass, inv_inertia: SymMat3 { xx, xy, xz, yy, yz, zz }, exponent, gyration: gyration::<S>(tensor) })
     }
 
     /// The same mass with the rotation locked: infinite inertia about every axis.
     #[must_use]
     pub fn with_locked_rotation(self) -> Self {
-        Self { inv_inertia: SymMat3::ZERO, ..self }
+        Self { inv_inertia: SymMat3::ZERO, gyration: Vec3::ZERO, ..self }
     }
+}
+
+/// (I_y - I_z)/I_x and so on, from the inverse moments; zero where the axes of the body are not principal ones, or an axis is
+/// locked.
+fn gyration<S: Scalar>([x, xy, xz, y, yz, z]: [S::Scaled; 6]) -> Vec3<S::Unit> {
+    let zero = S::Scaled::ZERO;
+    let principal = xy == zero && xz == zero && yz == zero;
+    if !principal || x == zero || y == zero || z == zero {
+        return Vec3::ZERO;
+    }
+    let ratio = |a: S::Scaled, b: S::Scaled, c: S::Scaled| S::Unit::from_scaled((c - b) / b * (a / c)).0;
+    Vec3::new(ratio(x, y, z), ratio(y, z, x), ratio(z, x, y))
 }
 
 /// A power of two within a factor of two of a positive number.

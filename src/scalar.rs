@@ -8,6 +8,9 @@ use crate::math::{Block, BlockImpulse, SymBlock, SymMat3, Vec3};
 
 #[cfg(any(feature = "f32", feature = "f64", feature = "micromath"))]
 mod float;
+#[cfg(any(feature = "f32", feature = "f64", feature = "micromath"))]
+mod float_step;
+mod step;
 
 #[cfg(feature = "fixed")]
 mod arm32;
@@ -34,12 +37,15 @@ mod scaled32;
 #[cfg(feature = "fixed")]
 mod slip32;
 #[cfg(feature = "fixed")]
+mod step32;
+#[cfg(feature = "fixed")]
 mod stored32;
 #[cfg(feature = "fixed")]
 mod wide;
 
 #[cfg(feature = "fixed")]
 pub use self::scaled32::Scaled32;
+pub use self::step::{Column, StepArithmetic};
 
 /// A number type of the kernel, with the family of formats that goes with it.
 ///
@@ -71,10 +77,15 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     /// What [`advance`](Self::advance) carries from one sub-step to the next.
     type Remainder: Copy + Default + Debug + PartialEq + Send + Sync + 'static;
 
+    /// The arithmetic of a step.
+    type Step: StepArithmetic<Self>;
+
     /// Zero.
     const ZERO: Self;
     /// One.
     const ONE: Self;
+    /// What [`advance`](Self::advance) carries at the start.
+    const NO_REMAINDER: Self::Remainder;
     /// Whether [`contact_impulse`](Self::contact_impulse) and what goes into it round alike for a number and its opposite.
     const SYMMETRIC: bool;
     /// Two to the zeroth.

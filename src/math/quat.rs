@@ -109,6 +109,23 @@ impl<S: Scalar> Quat<S> {
         }
     }
 
+    /// The orientation after a rotation about the world's axis along `u` by twice its length, in radians: exact up to the
+    /// fifth power of the angle, of unit length again, and unchanged by none.
+    #[must_use]
+    pub(crate) fn turned(self, u: Vec3<S::Unit>) -> Self {
+        // tan x = x + x^3/3 + ...
+        let third = S::Unit::from_scaled(S::Scaled::ratio(1, 3)).0;
+        let u = u + u * u.dot(u).times(third);
+        let Self { w, x, y, z } = self;
+        let turned = Self {
+            w: w.minus(S::Unit::dot3(u.to_array(), [x, y, z])),
+            x: x.plus(S::Unit::dot3(u.to_array(), [w, z, y.negated()])),
+            y: y.plus(S::Unit::dot3(u.to_array(), [z.negated(), w, x])),
+            z: z.plus(S::Unit::dot3(u.to_array(), [y, x.negated(), w])),
+        };
+        turned.divided(turned.square().sqrt())
+    }
+
     /// A vector of the body's frame in the world's frame.
     ///
     /// Each component is within 1.5 (p + u |v|), for the spacing p of numbers of the size of |v| and the spacing u of

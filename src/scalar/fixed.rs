@@ -11,6 +11,7 @@ use super::integer::{round_shift, round_sqrt, wide_quotient};
 use super::lever32::{self, Lever32};
 use super::product::{dot, product};
 use super::scaled32::Scaled32;
+use super::step32::FixedStep;
 use super::stored32::{self, add_block, add_scaled, clip};
 use super::wide::{bits_of, magnitude, narrow};
 use crate::error::RangeError;
@@ -92,9 +93,11 @@ where
     type Arm = Arm32;
     type SubStep = FixedI32<U31>;
     type Remainder = u16;
+    type Step = FixedStep;
 
     const ZERO: Self = Self::from_bits(0);
     const ONE: Self = Self::from_bits(1 << Frac::U32);
+    const NO_REMAINDER: u16 = 0;
     const SYMMETRIC: bool = false;
     const NO_EXPONENT: i32 = Scaled32::LOWEST;
 

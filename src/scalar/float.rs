@@ -26,6 +26,7 @@ macro_rules! float_scalar {
     ($float:ty, sqrt: $sqrt:expr, int: $int:expr, bits: $bits:expr, power: $power:expr, max_exponent: $max_exponent:expr,
      zero: $zero:expr, one: $one:expr, pi: $pi:expr, epsilon: $epsilon:expr, small: $small:expr, finite: $finite:expr) => {
         use super::float::{FloatArm, FloatLever};
+        $crate::scalar::float_step::float_step!($float, sqrt: $sqrt, zero: $zero, half: $one / ($one + $one));
         use $crate::math::{Block, BlockImpulse, SymBlock, SymMat3, Vec3};
 
         impl FloatArm<$float> {
@@ -53,8 +54,10 @@ macro_rules! float_scalar {
             type Arm = FloatArm<Self>;
             type SubStep = Self;
             type Remainder = Self;
+            type Step = FloatStep;
 
             const ZERO: Self = $zero;
+            const NO_REMAINDER: Self = $zero;
             const ONE: Self = $one;
             const SYMMETRIC: bool = true;
             const NO_EXPONENT: () = ();

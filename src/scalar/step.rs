@@ -1,0 +1,111 @@
+//! The arithmetic of a step: what the solver computes with between reading the bodies and storing them.
+//!
+//! Everything in the solver's inner loops is a **speed**. A row (one direction of one contact point) keeps its impulse as
+//! the speed that it changes at the point, lambda K; what that does to a body are prepared columns: a share (1/m)/K of it along
+//! the direction, and a turn I^-1 (r x d)/K. So no product has more than 32 x 32 bits, each is rounded once, and units,
+//! masses and sizes leave no trace in the numbers.
+
+use core::fmt::Debug;
+
+use super::Scalar;
+use crate::math::{SymMat3, Vec3};
+
+/// What a row does to one body, and what it sees of the body's spin. The part of the body that comes first in the pair is
+/// stored with the opposite sign.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Column<S: Scalar> {
+    /// r x d: what of the spin is speed along the direction.
+    pub arm: Vec3<S::Unit>,
+    /// I^-1 (r x d)/K: the change of spin for an impulse of one.
+    pub turn: Vec3<S::Unit>,
+    /// (1/m)/K: the change of velocity along the direction for an impulse of one.
+    pub share: S::Unit,
+}
+
+impl<S: Scalar> Column<S> {
+    /// Of a body that does not take part.
+    pub const NONE: Self = Self { arm: Vec3::ZERO, turn: Vec3::ZERO, share: <S::Unit as Scalar>::ZERO };
+}
+
+/// Speeds of a step are kept in `S` itself, in fixed point with as many more [`Places`](Self::Places) as the fastest body of
+/// the step leaves room for; spins with as many as makes them speeds at the distance of the body's size.
+pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 'static {
+    /// Binary places by which numbers are moved left.
+    type Places: Copy + Default + Debug + PartialEq + Send + Sync + 'static;
+    /// What the stored velocity lacks.
+    type Rest: Copy + Default + Debug + PartialEq + Send + Sync + 'static;
+    /// A factor that may be above two.
+    type Ratio: Copy + Default + Debug + PartialEq + Send + Sync + 'static;
+    /// r x d and I^-1 (r x d) of any magnitude.
+    type Lever: Copy + Debug + Send + Sync + 'static;
+
+    /// None.
+    const NO_PLACES: Self::Places;
+    /// As many as there can be.
+    const MOST_PLACES: Self::Places;
+    /// Nothing.
+    const NO_REST: Self::Rest;
+    /// Zero.
+    const NO_RATIO: Self::Ratio;
+
+    /// The places of a body's spin beyond those of speeds: a size of the body from its mass and inertia.
+    fn size(inv_mass: S::Scaled, exponent: S::Exponent) -> Self::Places;
+    /// The sum.
+    fn more(places: Self::Places, size: Self::Places) -> Self::Places;
+    /// The fewer of `places` and those by which `v` can move left, `size` moved already, with `head` bits to spare.
+    fn fit(places: Self::Places, v: &Vec3<S>, size: Self::Places, head: u32) -> Self::Places;
+
+    /// A stored number with its rest in the step's units.
+    fn lift(x: S, rest: Self::Rest, places: Self::Places) -> S;
+    /// Back again, and whether the end of the range was met.
+    fn lower(x: S, places: Self::Places) -> (S, Self::Rest, bool);
+    /// An acceleration over a sub-step.
+    fn gain(acceleration: S, h: S::SubStep, places: Self::Places) -> S;
+    /// A gap as the speed that closes it in a sub-step.
+    fn gap(separation: S, inv_h: S::Scaled, places: Self::Places) -> S;
+    /// A position after the sum of its speeds over sub-steps, with what the format cannot hold in `remainder`; and whether the
+    /// end of the range was met.
+    fn travel(x: S, moved: S, h: S::SubStep, places: Self::Places, remainder: &mut S::Remainder) -> (S, bool);
+    /// Half the angle that a sum of spins over sub-steps turns by, at the end of the range beyond it.
+    fn half_angle(turned: S, h: S::SubStep, places: Self::Places) -> S::Unit;
+
+    /// r x d and I^-1 (r x d).
+    fn lever(
+        r: &Vec3<S>,
+        d: &Vec3<S::Unit>,
+        inv_inertia: &SymMat3<S::Unit>,
+        exponent: S::Exponent,
+    ) -> Self::Lever;
+    /// (r x d) . I^-1 (r x d') of two levers of one body.
+    fn coupling(d: &Self::Lever, other: &Self::Lever) -> S::Scaled;
+    /// The column of a body with that inverse mass and size, for 1/K.
+    fn column(lever: &Self::Lever, inv_mass: S::Scaled, inv_k: S::Scaled, size: Self::Places) -> Column<S>;
+    /// The same for the body that comes first.
+    fn opposite_column(lever: &Self::Lever, inv_mass: S::Scaled, inv_k: S::Scaled, size: Self::Places) -> Column<S>;
+
+    /// The speed of a body's point along the direction: v . d + w . arm.
+    fn lone_speed(d: &Vec3<S::Unit>, v: &Vec3<S>, w: &Vec3<S>, column: &Column<S>) -> S;
+    /// The speed of the second body's point relative to the first's.
+    fn pair_speed(d: &Vec3<S::Unit>, v: [&Vec3<S>; 2], w: [&Vec3<S>; 2], columns: [&Column<S>; 2]) -> S;
+    /// Adds an impulse.
+    fn push(v: &mut Vec3<S>, w: &mut Vec3<S>, d: &Vec3<S::Unit>, column: &Column<S>, impulse: S);
+
+    /// A number that was lifted by other places.
+    fn moved(x: S, from: Self::Places, to: Self::Places) -> S;
+    /// Half of it.
+    fn half(x: S) -> S;
+    /// A speed times a factor within two.
+    fn times(x: S, factor: S::Unit) -> S;
+    /// The factor nearest to a number of any magnitude.
+    fn ratio(x: S::Scaled) -> Self::Ratio;
+    /// A speed times a factor.
+    fn by_ratio(x: S, factor: Self::Ratio) -> S;
+    /// A symmetric 2x2 matrix (xx, xy, yy) times a vector.
+    fn by_block(v: [S; 2], block: [Self::Ratio; 3]) -> [S; 2];
+    /// Whether the vector is no longer than `length >= 0`.
+    fn is_within(v: [S; 2], length: S) -> bool;
+    /// The vector, which is longer, cut to `length >= 0`.
+    fn shortened(v: [S; 2], length: S) -> [S; 2];
+    /// The root of `speed^2 + 2 change fall`; zero where that is negative.
+    fn speed_after(speed: S, change: S, fall: S) -> S;
+}

@@ -1,0 +1,34 @@
+//! Friction of a point: a disc in the tangent plane.
+
+use super::constraint::PointConstraint;
+use super::motion::Pair;
+use crate::math::Vec3;
+use crate::scalar::{Scalar, StepArithmetic};
+
+impl<S: Scalar> PointConstraint<S> {
+    /// The friction that stops the points where that is within the disc: both directions at once. Else each direction with
+    /// the mass of the heavier, cut to the disc's radius: a block's impulse, cut, would turn the sliding aside.
+    #[inline(always)]
+    pub(super) fn solve_friction(
+        &mut self,
+        pair: &mut Pair<S>,
+        tangents: &[Vec3<S::Unit>; 2],
+        normal_impulse: S,
+    ) {
+        let [_, before_x, before_y] = self.impulse;
+        let x = pair.speed(&tangents[0], &self.tangents[0]).plus(self.drive[1]);
+        let y = pair.speed(&tangents[1], &self.tangents[1]).plus(self.drive[2]);
+        let limit = S::Step::by_ratio(normal_impulse, self.friction);
+        let [stop_x, stop_y] = S::Step::by_block([x, y], self.block);
+        let mut after = [before_x.minus(stop_x), before_y.minus(stop_y)];
+        if !S::Step::is_within(after, limit) {
+            after = [before_x.minus(x), before_y.minus(y)];
+            if !S::Step::is_within(after, limit) {
+                after = S::Step::shortened(after, limit);
+            }
+        }
+        self.impulse = [self.impulse[0], after[0], after[1]];
+        pair.push(&tangents[0], &self.tangents[0], after[0].minus(before_x));
+        pair.push(&tangents[1], &self.tangents[1], after[1].minus(before_y));
+    }
+}

@@ -1,0 +1,59 @@
+//! Free rotation of bodies that are not the same about every axis.
+
+use super::integrate::turned;
+use crate::body::Body;
+use crate::math::{Mat3, Vec3};
+use crate::scalar::{Scalar, StepArithmetic};
+
+type Places<S> = <<S as Scalar>::Step as StepArithmetic<S>>::Places;
+
+/// Turns the body by the spin `w` over a sub-step, and returns how the spin changes.
+///
+/// Euler's equation in the body's frame, I_x w_x' = (I_y - I_z) w_y w_z and so on, by the midpoint rule; the orientation turns
+/// by the spin in the middle, and the change comes to the world's frame as the mean of what it is in the old orientation and
+/// in the new one. The error in attitude is of second order.
+pub(super) fn spin<S: Scalar>(body: &mut Body<S>, w: Vec3<S>, h: S::SubStep, places: Places<S>) -> Vec3<S> {
+    let before = body.orientation().to_mat3();
+    let [rx, ry, rz] = columns(&before);
+    let local = w.to_array();
+    let local = Vec3::new(S::dot3_unit(local, rx), S::dot3_unit(local, ry), S::dot3_unit(local, rz));
+    let slope = change(body.gyration, local, h, places);
+    let middle = local + halved::<S>(slope);
+    let change = change(body.gyration, middle, h, places);
+    let mean = w + into_world(&before, halved::<S>(change));
+    let u = mean.to_array().map(|w| S::Step::half_angle(w, h, places));
+    body.set_orientation_alone(turned(body.orientation(), Vec3::from_array(u)));
+    let after = body.orientation().to_mat3();
+    into_world(&before, halved::<S>(change)) + into_world(&after, halved::<S>(change))
+}
+
+/// h w' in the body's frame.
+#[inline(always)]
+fn change<S: Scalar>(gyration: Vec3<S::Unit>, w: Vec3<S>, h: S::SubStep, places: Places<S>) -> Vec3<S> {
+    let angle = |w| S::Step::half_angle(w, h, places);
+    let twice = |x: S| x.plus(x);
+    let (x, y, z) = (angle(w.x), angle(w.y), angle(w.z));
+    Vec3::new(
+        twice(S::Step::times(S::Step::times(w.y, z), gyration.x)),
+        twice(S::Step::times(S::Step::times(w.z, x), gyration.y)),
+        twice(S::Step::times(S::Step::times(w.x, y), gyration.z)),
+    )
+}
+
+#[inline(always)]
+fn halved<S: Scalar>(v: Vec3<S>) -> Vec3<S> {
+    Vec3::new(S::Step::half(v.x), S::Step::half(v.y), S::Step::half(v.z))
+}
+
+#[inline(always)]
+fn columns<U: Copy>(m: &Mat3<U>) -> [[U; 3]; 3] {
+    let [x, y, z] = m.rows;
+    [[x.x, y.x, z.x], [x.y, y.y, z.y], [x.z, y.z, z.z]]
+}
+
+#[inline(always)]
+fn into_world<S: Scalar>(rotation: &Mat3<S::Unit>, v: Vec3<S>) -> Vec3<S> {
+    let [x, y, z] = rotation.rows;
+    let v = v.to_array();
+    Vec3::new(S::dot3_unit(v, x.to_array()), S::dot3_unit(v, y.to_array()), S::dot3_unit(v, z.to_array()))
+}

@@ -1,0 +1,95 @@
+//! Velocities and positions over a sub-step, and what is stored at the end.
+
+use super::gyroscope::spin;
+use super::motion::{Motion, Velocity};
+use super::settings::Settings;
+use crate::body::Body;
+use crate::math::{Quat, Vec3};
+use crate::scalar::{Scalar, StepArithmetic};
+
+type Places<S> = <<S as Scalar>::Step as StepArithmetic<S>>::Places;
+
+/// The stored velocities in the units of the step.
+pub(super) fn lift<S: Scalar>(body: &Body<S>, motion: &mut Motion<S>, places: Places<S>) {
+    let turn_places = S::Step::more(places, motion.size);
+    let lift = |v: Vec3<S>, [x, y, z]: [_; 3], places| {
+        Vec3::new(S::Step::lift(v.x, x, places), S::Step::lift(v.y, y, places), S::Step::lift(v.z, z, places))
+    };
+    let v = lift(body.linear_velocity, body.rests.linear, places);
+    let w = lift(body.angular_velocity, body.rests.angular, turn_places);
+    motion.now = Velocity { v, w };
+    motion.free = motion.now;
+    motion.sum = Velocity::ZERO;
+}
+
+/// Gravity over a sub-step, and once more what contacts did in the last one: they will do about the same again.
+#[inline(always)]
+pub(super) fn integrate_velocity<S: Scalar>(motion: &mut Motion<S>, fall: &Vec3<S>) {
+    let contacts = motion.now.minus(&motion.free);
+    motion.free = Velocity { v: motion.now.v + *fall, w: motion.now.w };
+    motion.now = motion.free.plus(&contacts);
+}
+
+/// A sub-step's motion; of bodies whose orientation matters to it, the orientation too.
+#[inline(always)]
+pub(super) fn integrate_position<S: Scalar>(
+    body: &mut Body<S>,
+    motion: &mut Motion<S>,
+    h: S::SubStep,
+    places: Places<S>,
+) {
+    motion.sum = motion.sum.plus(&motion.now);
+    if !motion.isotropic {
+        let change = spin(body, motion.now.w, h, S::Step::more(places, motion.size));
+        motion.now.w += change;
+        motion.free.w += change;
+    }
+}
+
+/// Where the body is after the step, and its velocities; whether one met the end of its range.
+pub(super) fn store<S: Scalar>(
+    body: &mut Body<S>,
+    motion: &Motion<S>,
+    settings: &Settings<S>,
+    places: Places<S>,
+) -> bool {
+    let (h, turn_places) = (settings.h, S::Step::more(places, motion.size));
+    let mut saturated = false;
+    let mut place = body.position.to_array();
+    for ((x, moved), rest) in place.iter_mut().zip(motion.sum.v.to_array()).zip(&mut body.rests.position) {
+        let (after, clipped) = S::Step::travel(*x, moved, h, places, rest);
+        *x = after;
+        saturated |= clipped;
+    }
+    body.position = Vec3::from_array(place);
+    if motion.isotropic {
+        let u = motion.sum.w.to_array().map(|w| S::Step::half_angle(w, h, turn_places));
+        body.set_orientation_alone(turned(body.orientation(), Vec3::from_array(u)));
+    } else {
+        body.set_orientation(body.orientation());
+    }
+    let (v, rests, clipped) = lowered(motion.now.v, places);
+    body.linear_velocity = v;
+    body.rests.linear = rests;
+    saturated |= clipped;
+    let (w, rests, clipped) = lowered(motion.now.w, turn_places);
+    body.angular_velocity = w;
+    body.rests.angular = rests;
+    saturated | clipped
+}
+
+type Rest<S> = <<S as Scalar>::Step as StepArithmetic<S>>::Rest;
+
+#[inline(always)]
+fn lowered<S: Scalar>(v: Vec3<S>, places: Places<S>) -> (Vec3<S>, [Rest<S>; 3], bool) {
+    let (x, rest_x, clipped_x) = S::Step::lower(v.x, places);
+    let (y, rest_y, clipped_y) = S::Step::lower(v.y, places);
+    let (z, rest_z, clipped_z) = S::Step::lower(v.z, places);
+    (Vec3::new(x, y, z), [rest_x, rest_y, rest_z], clipped_x | clipped_y | clipped_z)
+}
+
+/// The orientation after a rotation by `u`, which is half the angle.
+#[inline(always)]
+pub(super) fn turned<S: Scalar>(orientation: Quat<S>, u: Vec3<S::Unit>) -> Quat<S> {
+    if u == Vec3::ZERO { orientation } else { orientation.turned(u) }
+}

@@ -1,0 +1,52 @@
+//! How steps are made.
+
+use super::Softness;
+use crate::math::Vec3;
+use crate::scalar::{Scalar, Scaled};
+
+/// Gravity, time and softness: the same for all bodies of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings<S: Scalar> {
+    /// The acceleration of free fall, m/s^2.
+    pub gravity: Vec3<S>,
+    /// The speed at which bodies that overlap are pushed apart, at most, m/s.
+    pub push_out_speed: S,
+    /// Between bodies that both move.
+    pub soft: Softness<S>,
+    /// Against immovable ones.
+    pub hard: Softness<S>,
+    pub(super) sub_steps: u8,
+    pub(super) h: S::SubStep,
+    pub(super) inv_h: S::Scaled,
+}
+
+/// A time that cannot be stepped over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SettingsError;
+
+impl<S: Scalar> Settings<S> {
+    /// Steps of `seconds[0] / seconds[1]`, each in as many sub-steps.
+    ///
+    /// Contacts have a frequency of a quarter of a cycle a sub-step and twice the critical damping; twice that frequency
+    /// against immovable bodies. A stack sags by g/w^2 a contact times its load.
+    ///
+    /// # Errors
+    /// [`SettingsError`]: no sub-steps, or one that is not between zero and one second.
+    pub fn new(gravity: Vec3<S>, seconds: [u16; 2], sub_steps: u8) -> Result<Self, SettingsError> {
+        let [numerator, denominator] = [i32::from(seconds[0]), i32::from(seconds[1]) * i32::from(sub_steps)];
+        let h = S::sub_step(numerator, denominator).map_err(|_| SettingsError)?;
+        if numerator == 0 {
+            return Err(SettingsError);
+        }
+        let two = S::Scaled::ratio(2, 1);
+        Ok(Self {
+            gravity,
+            push_out_speed: S::from_ratio(4, 1).map_err(|_| SettingsError)?,
+            soft: Softness::new(S::Scaled::ratio(1, 4), two),
+            hard: Softness::new(S::Scaled::ratio(1, 2), two),
+            sub_steps,
+            h,
+            inv_h: S::Scaled::ratio(denominator, numerator),
+        })
+    }
+}

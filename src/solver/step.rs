@@ -1,0 +1,321 @@
+//! One step over the caller's bodies.
+
+use super::constraint::{ManifoldConstraint, PointConstraint, WarmStart};
+use super::integrate::{integrate_position, integrate_velocity, lift, store};
+use super::motion::{Motion, Pair, Velocity};
+use super::prepare::Frame;
+use super::settings::Settings;
+use crate::body::Body;
+use crate::contact::Material;
+use crate::manifold::Manifold;
+use crate::math::Vec3;
+use crate::scalar::{Scalar, StepArithmetic};
+
+type Places<S> = <<S as Scalar>::Step as StepArithmetic<S>>::Places;
+
+/// Places to spare above the fastest body, for those that it strikes; and above what gravity adds in a sub-step, for the
+/// impulses under a pile.
+const HEAD_OF_SPEEDS: u32 = 3;
+const HEAD_OF_SPINS: u32 = 2;
+const HEAD_OF_GRAVITY: u32 = 10;
+
+/// The working space of a step: a motion for each body, and as many manifolds and points as there may be.
+#[derive(Debug)]
+pub struct Buffers<'a, S: Scalar> {
+    /// One for each body.
+    pub motions: &'a mut [Motion<S>],
+    /// One for each pair that touches.
+    pub manifolds: &'a mut [ManifoldConstraint<S>],
+    /// One for each point.
+    pub points: &'a mut [PointConstraint<S>],
+}
+
+/// A step in the making: contacts are added, then it is [finished](Self::finish).
+#[derive(Debug)]
+pub struct Step<'a, S: Scalar> {
+    bodies: &'a mut [Body<S>],
+    constraints: Constraints<'a, S>,
+    settings: Settings<S>,
+    fall: Vec3<S>,
+}
+
+/// The contacts of a step.
+#[derive(Debug)]
+pub struct Constraints<'a, S: Scalar> {
+    buffers: Buffers<'a, S>,
+    manifolds: usize,
+    points: usize,
+    places: Places<S>,
+}
+
+/// What a step has to say.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StepReport {
+    /// A position or velocity met the end of the format.
+    pub saturated: bool,
+}
+
+impl<'a, S: Scalar> Step<'a, S> {
+    /// Reads the velocities of the bodies. Bodies beyond the motions stay where they are.
+    pub fn begin(bodies: &'a mut [Body<S>], buffers: Buffers<'a, S>, settings: &Settings<S>) -> Self {
+        let gain = |g, places| S::Step::gain(g, settings.h, places);
+        let g = settings.gravity;
+        let fall = Vec3::new(gain(g.x, S::Step::NO_PLACES), gain(g.y, S::Step::NO_PLACES), gain(g.z, S::Step::NO_PLACES));
+        let mut places = S::Step::fit(S::Step::MOST_PLACES, &fall, S::Step::NO_PLACES, HEAD_OF_GRAVITY);
+        for (body, motion) in bodies.iter().zip(buffers.motions.iter_mut()) {
+            *motion = Motion::of(body);
+            places = S::Step::fit(places, &body.linear_velocity, S::Step::NO_PLACES, HEAD_OF_SPEEDS);
+            if motion.moves {
+                places = S::Step::fit(places, &body.angular_velocity, motion.size, HEAD_OF_SPINS);
+            }
+        }
+        for (body, motion) in bodies.iter().zip(buffers.motions.iter_mut()).filter(|(_, motion)| motion.moves) {
+            lift(body, motion, places);
+        }
+        let fall = Vec3::new(gain(g.x, places), gain(g.y, places), gain(g.z, places));
+        Self { bodies, constraints: Constraints { buffers, manifolds: 0, points: 0, places }, settings: *settings, fall }
+    }
+
+    /// The bodies as they were before the step.
+    pub fn bodies(&self) -> &[Body<S>] {
+        self.bodies
+    }
+
+    /// Adds the manifold between the bodies `a` and `b`. Points with the feature of one in `warm` start with its impulses.
+    ///
+    /// False where nothing was added for lack of room. (Nor is anything added, or missed, where neither body moves, or for bodies
+    /// that are not there.)
+    pub fn add(
+        &mut self,
+        [a, b]: [u16; 2],
+        manifold: &Manifold<S>,
+        material: &Material<S>,
+        warm: &[WarmStart<S>],
+    ) -> bool {
+        let Constraints { buffers, manifolds, points, places } = &mut self.constraints;
+        let find = |i: u16| {
+            let body = self.bodies.get(usize::from(i))?;
+            buffers.motions.get(usize::from(i)).map(|motion| (body, motion.size, motion.moves))
+        };
+        let (Some((body_a, size_a, a_moves)), Some((body_b, size_b, b_moves))) = (find(a), find(b)) else { return true };
+        let count = manifold.points().len();
+        if count == 0 || !(a_moves || b_moves) {
+            return true;
+        }
+        let free = buffers.points.get_mut(*points..*points + count);
+        let (Some(slots), Some(slot)) = (free, buffers.manifolds.get_mut(*manifolds)) else { return false };
+        // The second body is one that moves.
+        let swapped = !b_moves;
+        let normal = if swapped { -manifold.normal } else { manifold.normal };
+        let tangents: [_; 2] = normal.tangents().into();
+        let frame = Frame {
+            a: (a_moves && b_moves).then_some((body_a, size_a)),
+            b: if swapped { (body_a, size_a) } else { (body_b, size_b) },
+            immovable: if swapped { body_b } else { body_a },
+            normal,
+            tangents,
+            friction: material.friction(),
+            inv_h: self.settings.inv_h,
+            places: *places,
+        };
+        for (slot, point) in slots.iter_mut().zip(manifold.points()) {
+            let r = if swapped { [&point.r_b, &point.r_a] } else { [&point.r_a, &point.r_b] };
+            let warm = warm.iter().find(|warm| warm.feature == point.feature);
+            *slot = frame.point(point, r, warm.unwrap_or(&WarmStart::NONE));
+        }
+        *slot = ManifoldConstraint {
+            a: (a_moves && b_moves).then_some(a),
+            b: if swapped { a } else { b },
+            points: count as u8,
+            hard: !(a_moves && b_moves),
+            swapped,
+            bounces: material.restitution() > S::ZERO,
+            normal: normal.get(),
+            tangents: [tangents[0].get(), tangents[1].get()],
+            restitution: S::Unit::from_scaled(material.restitution().to_scaled()).0,
+        };
+        *manifolds += 1;
+        *points += count;
+        true
+    }
+
+    /// Solves the contacts and moves the bodies.
+    pub fn finish(mut self) -> (Constraints<'a, S>, StepReport) {
+        let mut sub_step = 0;
+        while sub_step < self.settings.sub_steps {
+            self.sub_step(sub_step == 0);
+            sub_step += 1;
+        }
+        self.constraints.apply_restitution(&self.fall);
+        let places = self.constraints.places;
+        let mut report = StepReport::default();
+        for (body, motion) in moving(self.bodies, self.constraints.buffers.motions) {
+            report.saturated |= store(body, motion, &self.settings, places);
+        }
+        (self.constraints, report)
+    }
+
+    fn sub_step(&mut self, first: bool) {
+        let places = self.constraints.places;
+        self.constraints.note_approaches();
+        for (body, motion) in moving(self.bodies, self.constraints.buffers.motions) {
+            let fall = if body.gravity_scale == S::ONE { self.fall } else { self.fall * body.gravity_scale };
+            integrate_velocity(motion, &fall);
+        }
+        if first {
+            self.constraints.warm_start();
+        }
+        self.constraints.solve(&self.settings);
+        for (body, motion) in moving(self.bodies, self.constraints.buffers.motions) {
+            integrate_position(body, motion, self.settings.h, places);
+        }
+        self.constraints.relax();
+    }
+}
+
+/// The bodies that move, with their motions.
+fn moving<'b, S: Scalar>(
+    bodies: &'b mut [Body<S>],
+    motions: &'b mut [Motion<S>],
+) -> impl Iterator<Item = (&'b mut Body<S>, &'b mut Motion<S>)> {
+    bodies.iter_mut().zip(motions.iter_mut()).filter(|(_, motion)| motion.moves)
+}
+
+/// The velocities of a manifold's bodies.
+#[inline(always)]
+fn now<S: Scalar>(motions: &[Motion<S>], manifold: &ManifoldConstraint<S>) -> Option<Pair<S>> {
+    pair(motions, manifold, |motion| &motion.now)
+}
+
+#[inline(always)]
+fn pair<S: Scalar>(
+    motions: &[Motion<S>],
+    manifold: &ManifoldConstraint<S>,
+    which: impl Fn(&Motion<S>) -> &Velocity<S>,
+) -> Option<Pair<S>> {
+    let b = *which(motions.get(usize::from(manifold.b))?);
+    let a = match manifold.a {
+        Some(a) => Some(*which(motions.get(usize::from(a))?)),
+        None => None,
+    };
+    Some(Pair { a, b })
+}
+
+#[inline(always)]
+fn put_back<S: Scalar>(motions: &mut [Motion<S>], manifold: &ManifoldConstraint<S>, pair: &Pair<S>) {
+    if let (Some(a), Some(velocity)) = (manifold.a, pair.a) {
+        if let Some(motion) = motions.get_mut(usize::from(a)) {
+            motion.now = velocity;
+        }
+    }
+    if let Some(motion) = motions.get_mut(usize::from(manifold.b)) {
+        motion.now = pair.b;
+    }
+}
+
+impl<S: Scalar> Constraints<'_, S> {
+    /// Each manifold with its points and the motions of all bodies, in the order in which they were added.
+    #[inline(always)]
+    fn each(
+        &mut self,
+        mut work: impl FnMut(&mut [Motion<S>], &ManifoldConstraint<S>, &mut [PointConstraint<S>]),
+    ) {
+        let Buffers { motions, manifolds, points } = &mut self.buffers;
+        let mut rest: &mut [PointConstraint<S>] = points;
+        for manifold in manifolds.iter().take(self.manifolds) {
+            let taken = core::mem::take(&mut rest);
+            let Some((mine, others)) = taken.split_at_mut_checked(usize::from(manifold.points)) else { return };
+            rest = others;
+            work(motions, manifold, mine);
+        }
+    }
+
+    fn note_approaches(&mut self) {
+        self.each(|motions, manifold, points| {
+            if !manifold.bounces {
+                return;
+            }
+            let Some(pair) = now(motions, manifold) else { return };
+            for point in points {
+                point.note_approach(&pair, &manifold.normal);
+            }
+        });
+    }
+
+    fn warm_start(&mut self) {
+        self.each(|motions, manifold, points| {
+            let Some(mut pair) = now(motions, manifold) else { return };
+            for point in points {
+                point.warm_start(&mut pair, &manifold.normal, &manifold.tangents);
+            }
+            put_back(motions, manifold, &pair);
+        });
+    }
+
+    fn solve(&mut self, settings: &Settings<S>) {
+        let push_out_speed = S::Step::lift(settings.push_out_speed, S::Step::NO_REST, self.places);
+        self.each(|motions, manifold, points| {
+            let Some(mut pair) = now(motions, manifold) else { return };
+            let Some(sum) = self::pair(motions, manifold, |motion| &motion.sum) else { return };
+            let softness = if manifold.hard { &settings.hard } else { &settings.soft };
+            for point in points {
+                point.solve_normal(&mut pair, &sum, &manifold.normal, softness, push_out_speed);
+            }
+            put_back(motions, manifold, &pair);
+        });
+    }
+
+    fn relax(&mut self) {
+        self.each(|motions, manifold, points| {
+            let Some(mut pair) = now(motions, manifold) else { return };
+            for point in points.iter_mut() {
+                point.relax_normal(&mut pair, &manifold.normal);
+            }
+            for point in points {
+                point.solve_friction(&mut pair, &manifold.tangents, point.impulse[0]);
+                point.gap = point.gap.plus(point.drive[0]);
+            }
+            put_back(motions, manifold, &pair);
+        });
+    }
+
+    fn apply_restitution(&mut self, fall: &Vec3<S>) {
+        let threshold = fall.length();
+        self.each(|motions, manifold, points| {
+            if !manifold.bounces {
+                return;
+            }
+            let Some(mut pair) = now(motions, manifold) else { return };
+            let Some(sum) = self::pair(motions, manifold, |motion| &motion.sum) else { return };
+            let mut bounced = [None; 4];
+            for (point, bounced) in points.iter_mut().zip(&mut bounced) {
+                let speed = point.rebound_speed(point.gap(&sum, &manifold.normal), threshold);
+                if speed > S::ZERO {
+                    let speed = S::Step::times(speed, manifold.restitution);
+                    *bounced = Some(point.rebound(&mut pair, &manifold.normal, speed));
+                }
+            }
+            for (point, bounced) in points.iter_mut().zip(bounced) {
+                if let Some(impulse) = bounced {
+                    let kept = point.impulse;
+                    point.solve_friction(&mut pair, &manifold.tangents, impulse);
+                    point.impulse = kept;
+                }
+            }
+            put_back(motions, manifold, &pair);
+        });
+    }
+
+    /// What to start the next step from: calls `keep` for each manifold with its index, in the order added, and its points.
+    pub fn impulses(&mut self, mut keep: impl FnMut(usize, &[WarmStart<S>])) {
+        let (mut index, places) = (0, self.places);
+        self.each(|_, _, points| {
+            let mut warm = [WarmStart::NONE; 4];
+            for (warm, point) in warm.iter_mut().zip(points.iter()) {
+                *warm = WarmStart { feature: point.feature, impulse: point.impulse, places };
+            }
+            keep(index, warm.get(..points.len()).unwrap_or(&[]));
+            index += 1;
+        });
+    }
+}
