@@ -92,6 +92,11 @@ macro_rules! float_step {
             }
 
             #[inline(always)]
+            fn direction(d: &Vec3<$float>) -> Vec3<$float> {
+                *d
+            }
+
+            #[inline(always)]
             fn lone_speed(d: &Vec3<$float>, v: &Vec3<$float>, w: &Vec3<$float>, column: &Column<$float>) -> $float {
                 v.dot(*d) + w.dot(column.arm)
             }

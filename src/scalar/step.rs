@@ -83,6 +83,8 @@ pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 's
     /// The same for the body that comes first.
     fn opposite_column(lever: &Self::Lever, inv_mass: S::Scaled, inv_k: S::Scaled, size: Self::Places) -> Column<S>;
 
+    /// A direction as rows have it.
+    fn direction(d: &Vec3<S::Unit>) -> Vec3<S::Unit>;
     /// The speed of a body's point along the direction: v . d + w . arm.
     fn lone_speed(d: &Vec3<S::Unit>, v: &Vec3<S>, w: &Vec3<S>, column: &Column<S>) -> S;
     /// The speed of the second body's point relative to the first's.

@@ -1,8 +1,8 @@
 //! The arithmetic of a step in fixed point: 32-bit numbers in the units of the step, and Q2.30 columns.
 //!
-//! A body's spin is kept times a power of two near its size rho, 23 to 64 times the square root of (1/m) / trace(I^-1). So spins
-//! and speeds are of one magnitude, |r x d| / rho is at most one for arms up to 18 times the thickness of a rod, and the
-//! change of spin for an impulse, rho |I^-1 (r x d)|/K, at most rho sqrt(m / 4 I_min) < 32, whatever the shape and the arm.
+//! A body's spin is kept times a power of two near its size rho, 5.6 to 16 times the square root of (1/m) / trace(I^-1). So spins
+//! and speeds are of one magnitude, |r x d| / rho is at most 4 for arms up to 18 times the thickness of a rod, and the
+//! change of spin for an impulse, rho |I^-1 (r x d)|/K, at most rho sqrt(m / 4 I_min) < 8, whatever the shape and the arm.
 
 use fixed::FixedI32;
 use fixed::types::I2F30;
@@ -29,8 +29,10 @@ pub struct StepLever32 {
     turn_exponent: i32,
 }
 
-/// Fraction bits of a turn, which is below 32.
-const TURN: u32 = 25;
+/// Fraction bits of directions and of arms, which are below 4.
+const ARM: u32 = 28;
+/// Fraction bits of a turn, which is below 8.
+const TURN: u32 = 27;
 /// Fraction bits of a ratio.
 const RATIO: u32 = 20;
 /// The size of a body in powers of two, at either end.
@@ -64,7 +66,7 @@ fn vector<F>(v: [i32; 3]) -> Vec3<FixedI32<F>> {
     Vec3::new(FixedI32::from_bits(v[0]), FixedI32::from_bits(v[1]), FixedI32::from_bits(v[2]))
 }
 
-/// The sum of two 64-bit numbers, rounded to Q2.30's places and clipped.
+/// The sum of two 64-bit numbers without the places of an arm, rounded and clipped.
 #[inline(always)]
 fn near_sum(x: i64, y: i64) -> i32 {
     match x.checked_add(y) {
@@ -75,8 +77,8 @@ fn near_sum(x: i64, y: i64) -> i32 {
 
 #[inline(always)]
 fn near_far(sum: i64) -> i32 {
-    // Rounding does not leave 64 bits: it is done on what is above the last 29 places.
-    let rounded = ((sum >> 29).wrapping_add(1).wrapping_add(sum >> 63)) >> 1;
+    // Rounding does not leave 64 bits: it is done on what is above the last 27 places.
+    let rounded = ((sum >> (ARM - 1)).wrapping_add(1).wrapping_add(sum >> 63)) >> 1;
     if rounded as i32 as i64 == rounded { rounded as i32 } else { end(rounded) }
 }
 
@@ -103,7 +105,7 @@ where
     #[inline(always)]
     fn size(inv_mass: Scaled32, exponent: i32) -> i32 {
         let square = inv_mass.exponent().wrapping_sub(exponent).clamp(-64, 64);
-        (square >> 1).wrapping_add(6).clamp(-LARGEST, LARGEST)
+        (square >> 1).wrapping_add(4).clamp(-LARGEST, LARGEST)
     }
 
     #[inline(always)]
@@ -194,7 +196,7 @@ where
 
     #[inline(never)]
     fn column(lever: &StepLever32, inv_mass: Scaled32, inv_k: Scaled32, size: i32) -> Column<FixedI32<Frac>> {
-        let down = size.wrapping_sub(lever.arm_exponent);
+        let down = size.wrapping_sub(lever.arm_exponent).wrapping_add(30 - ARM as i32);
         let [x, y, z] = lever.arm;
         let arm = Vec3::new(unit(x as i64, down), unit(y as i64, down), unit(z as i64, down));
         let down = 60i32
@@ -213,6 +215,13 @@ where
     fn opposite_column(lever: &StepLever32, inv_mass: Scaled32, inv_k: Scaled32, size: i32) -> Column<FixedI32<Frac>> {
         let column: Column<FixedI32<Frac>> = Self::column(lever, inv_mass, inv_k, size);
         Column { arm: -column.arm, turn: -column.turn, share: column.share.wrapping_neg() }
+    }
+
+    #[inline(always)]
+    fn direction(d: &Vec3<I2F30>) -> Vec3<I2F30> {
+        let near = |x: i32| I2F30::from_bits(round_shift(x as i64, 30 - ARM) as i32);
+        let [x, y, z] = bits(d);
+        Vec3::new(near(x), near(y), near(z))
     }
 
     #[inline(always)]
@@ -253,7 +262,7 @@ where
         let impulse = impulse.to_bits();
         let share = near(product(column.share.to_bits(), impulse), 30);
         let [x, y, z] = bits(d);
-        *v += vector([near(product(x, share), 30), near(product(y, share), 30), near(product(z, share), 30)]);
+        *v += vector([near(product(x, share), ARM), near(product(y, share), ARM), near(product(z, share), ARM)]);
         let [x, y, z] = bits(&column.turn);
         *w += vector([
             near(product(x, impulse), TURN),

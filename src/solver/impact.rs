@@ -26,20 +26,16 @@ impl<S: Scalar> PointConstraint<S> {
         }
     }
 
-    /// The speed at which the points part after a perfect rebound, at the gap that is there now: that of a body which met
-    /// the surface when it was there, not when a sub-step began.
+    /// The speed at which the points part at the gap that is there now, as if they had met the surface where it is, not
+    /// when a sub-step began.
     ///
     /// With the change d of the speed in a sub-step, v - d/2 is the speed half a sub-step before, for which symplectic Euler
-    /// keeps (v - d/2)^2 / 2 + (d/h) s exactly. Zero where the points did not meet faster than `threshold`.
+    /// keeps (v - d/2)^2 / 2 + (d/h) s exactly: so fast were the points where s = 0, and with e times that they leave.
     #[inline(always)]
-    pub(super) fn rebound_speed(&self, gap: S, threshold: S) -> S {
-        let speed = self.approach.negated();
-        if !self.struck || speed <= threshold {
-            return S::ZERO;
-        }
-        let half = self.change.minus(S::Step::half(self.change));
-        let fall = self.gap_struck.minus(gap);
-        S::Step::speed_after(speed.minus(half), self.change, fall).plus(half)
+    pub(super) fn rebound_speed(&self, gap: S, restitution: S::Unit) -> S {
+        let half = S::Step::half(self.change);
+        let met = S::Step::speed_after(self.approach.plus(half), self.change, self.gap_struck);
+        S::Step::speed_after(S::Step::times(met, restitution), self.change, gap.negated()).plus(half)
     }
 
     /// Gives the points the speed `speed`, and returns the normal impulse of it and of the sub-step together.

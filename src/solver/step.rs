@@ -13,10 +13,10 @@ use crate::scalar::{Scalar, StepArithmetic};
 
 type Places<S> = <<S as Scalar>::Step as StepArithmetic<S>>::Places;
 
-/// Places to spare above the fastest body, for those that it strikes; and above what gravity adds in a sub-step, for the
-/// impulses under a pile.
+/// Places to spare above the fastest body, for the spin that friction gives it and for those that it strikes; above the fastest
+/// spin; and above what gravity adds in a sub-step, for the impulses under a pile. Sums over sub-steps come on top.
 const HEAD_OF_SPEEDS: u32 = 3;
-const HEAD_OF_SPINS: u32 = 2;
+const HEAD_OF_SPINS: u32 = 1;
 const HEAD_OF_GRAVITY: u32 = 10;
 
 /// The working space of a step: a motion for each body, and as many manifolds and points as there may be.
@@ -61,12 +61,13 @@ impl<'a, S: Scalar> Step<'a, S> {
         let gain = |g, places| S::Step::gain(g, settings.h, places);
         let g = settings.gravity;
         let fall = Vec3::new(gain(g.x, S::Step::NO_PLACES), gain(g.y, S::Step::NO_PLACES), gain(g.z, S::Step::NO_PLACES));
+        let sum = u32::from(settings.sub_steps).next_power_of_two().trailing_zeros();
         let mut places = S::Step::fit(S::Step::MOST_PLACES, &fall, S::Step::NO_PLACES, HEAD_OF_GRAVITY);
         for (body, motion) in bodies.iter().zip(buffers.motions.iter_mut()) {
             *motion = Motion::of(body);
-            places = S::Step::fit(places, &body.linear_velocity, S::Step::NO_PLACES, HEAD_OF_SPEEDS);
+            places = S::Step::fit(places, &body.linear_velocity, S::Step::NO_PLACES, sum + HEAD_OF_SPEEDS);
             if motion.moves {
-                places = S::Step::fit(places, &body.angular_velocity, motion.size, HEAD_OF_SPINS);
+                places = S::Step::fit(places, &body.angular_velocity, motion.size, sum + HEAD_OF_SPINS);
             }
         }
         for (body, motion) in bodies.iter().zip(buffers.motions.iter_mut()).filter(|(_, motion)| motion.moves) {
@@ -130,8 +131,8 @@ impl<'a, S: Scalar> Step<'a, S> {
             hard: !(a_moves && b_moves),
             swapped,
             bounces: material.restitution() > S::ZERO,
-            normal: normal.get(),
-            tangents: [tangents[0].get(), tangents[1].get()],
+            normal: S::Step::direction(&normal.get()),
+            tangents: [S::Step::direction(&tangents[0].get()), S::Step::direction(&tangents[1].get())],
             restitution: S::Unit::from_scaled(material.restitution().to_scaled()).0,
         };
         *manifolds += 1;
@@ -289,9 +290,8 @@ impl<S: Scalar> Constraints<'_, S> {
             let Some(sum) = self::pair(motions, manifold, |motion| &motion.sum) else { return };
             let mut bounced = [None; 4];
             for (point, bounced) in points.iter_mut().zip(&mut bounced) {
-                let speed = point.rebound_speed(point.gap(&sum, &manifold.normal), threshold);
-                if speed > S::ZERO {
-                    let speed = S::Step::times(speed, manifold.restitution);
+                if point.struck && point.approach.plus(threshold) < S::ZERO {
+                    let speed = point.rebound_speed(point.gap(&sum, &manifold.normal), manifold.restitution);
                     *bounced = Some(point.rebound(&mut pair, &manifold.normal, speed));
                 }
             }

@@ -76,7 +76,7 @@ impl<S: HostScalar> Scene<S> {
             settings: Settings::new(vector(gravity), seconds, sub_steps).expect("settings"),
             material,
             dt: f64::from(seconds[0]) / f64::from(seconds[1]),
-            margin: 0.02,
+            margin: 0.005,
             contacts: 0,
             saturated: false,
             kept: vec![],
@@ -171,10 +171,11 @@ fn manifolds<S: HostScalar>(
     found
 }
 
+/// Within a part of the size; and as far as a step leads where that is farther than the size.
 fn reach<S: HostScalar>(a: &Body<S>, b: &Body<S>, size: f64, margin: f64, dt: f64) -> S {
     let length = |v: Vec3<S>| floats(v).iter().map(|x| x * x).sum::<f64>().sqrt();
-    let speed = length(b.linear_velocity - a.linear_velocity) + length(b.angular_velocity) * size;
-    number(margin * size + speed * dt)
+    let way = dt * (length(b.linear_velocity - a.linear_velocity) + length(b.angular_velocity) * size);
+    number(margin * size + if way > size { way } else { 0.0 })
 }
 
 fn half<S: HostScalar>() -> S {
