@@ -11,6 +11,8 @@ use crate::shape::{Capsule, Closest, Cuboid};
 
 /// A normal whose cosine with a face's lacks less than this power of two of one, 1.3 degrees, is taken for the face's.
 const ALONG_FACE: u32 = 12;
+/// A capsule whose axis leans less than this power of two out of a face, 3.6 degrees, lies along it.
+const LYING: u32 = 4;
 
 /// In the box's frame: the direction from the box to the core of the capsule, how far away that is (negative where the core
 /// pierces the box), and the point of the core.
@@ -75,7 +77,8 @@ pub(super) fn manifold<S: Scalar>(
         let r = pose.rotate(place) + d + Vec3::of_length(radius.plus(separation.lowered_by(1)), down);
         point(r, d, separation, feature)
     };
-    if let Some(face) = Face::along(normal) {
+    let lies = abs(segment.axis.dot(normal)) <= S::Unit::ONE.lowered_by(LYING);
+    if let Some(face) = Face::along(normal).filter(|_| lies) {
         let down = S::opposite(&pose.rotation.times(face.normal::<S>()));
         let mut manifold = Manifold::empty(UnitVec3::from_unit(down));
         let [low, high] = face.below(&segment, half).unwrap_or_default();

@@ -310,8 +310,12 @@ fn crossing<S: Scalar>(
     (i, j, across, separation): (u8, u8, Vec3<S::Unit>, S),
 ) -> Manifold<S> {
     let ([a, b], name) = crossing_edges(half, relative, (i, j, across));
-    let [s, _] = a.closest(&b);
+    let [s, t] = a.closest(&b);
     let normal = pose_a.rotation.times(across);
-    let r = pose_a.rotate(a.at(s)) + Vec3::of_length(separation.lowered_by(1), normal);
+    // Halfway between the two, also where one of them ends before it meets the other.
+    let (from, to) = (a.at(s), b.at(t));
+    let half = |a: S, b: S| b.minus(a).lowered_by(1);
+    let middle = from + Vec3::new(half(from.x, to.x), half(from.y, to.y), half(from.z, to.z));
+    let r = pose_a.rotate(middle);
     single(normal, point(r, relative.d, separation, name))
 }

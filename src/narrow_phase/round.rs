@@ -1,7 +1,7 @@
 //! What spheres and capsules share: two points, each with a radius around it.
 
-use super::{point, single};
-use crate::manifold::Manifold;
+use super::single;
+use crate::manifold::{FeatureId, Manifold, ManifoldPoint};
 use crate::math::{UnitVec3, Vec3};
 use crate::scalar::Scalar;
 use crate::shape::Closest;
@@ -30,8 +30,15 @@ impl<S: Scalar> Cores<S> {
         }
         let (normal, length) = self.direction();
         let separation = length.minus(a).minus(b);
-        let r = self.from_a + Vec3::of_length(a.plus(separation.lowered_by(1)), normal);
-        Some(single(normal, point(r, self.d, separation, 0)))
+        // Each arm by its own radius, so that the other order gives the same two.
+        let half = separation.lowered_by(1);
+        let point = ManifoldPoint {
+            r_a: self.from_a + Vec3::of_length(a.plus(half), normal),
+            r_b: self.from_b() - Vec3::of_length(b.plus(half), normal),
+            separation,
+            feature: FeatureId(0),
+        };
+        Some(single(normal, point))
     }
 
     #[inline(always)]
@@ -42,8 +49,14 @@ impl<S: Scalar> Cores<S> {
             normal: UnitVec3::from_unit(normal),
             separation: length.minus(a).minus(b),
             r_a: self.from_a + Vec3::of_length(a, normal),
-            r_b: self.from_a + self.gap - self.d - Vec3::of_length(b, normal),
+            r_b: self.from_b() - Vec3::of_length(b, normal),
         }
+    }
+
+    /// From B's origin to its point.
+    #[inline(always)]
+    fn from_b(&self) -> Vec3<S> {
+        (self.from_a + self.gap) - self.d
     }
 
     /// Of points in the same place the third axis: any direction parts them.

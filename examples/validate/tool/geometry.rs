@@ -7,7 +7,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 pub use self::checker::{Checker, Kernel, Pair, kernel};
-pub use self::shape::{Placed, Shape};
+pub use self::shape::{Placed, Shape, Solid};
 
 use super::error::{Error, Result};
 use super::number::{Job, Number};
