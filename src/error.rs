@@ -70,6 +70,16 @@ errors! {
         SemiAxis => "solid: each semi-axis, and the volume and moments with it, must be positive and finite",
     }
 
+    /// A dimension that no shape has.
+    ShapeError {
+        /// Of a sphere or a capsule: not positive and finite.
+        Radius => "shape: the radius must be positive and finite",
+        /// Of a cuboid: not positive and finite.
+        HalfExtent => "shape: each half extent must be positive and finite",
+        /// Of a capsule: not positive and finite. Without length it is a sphere.
+        HalfLength => "shape: the half length must be positive and finite; without length it is a sphere",
+    }
+
     /// A mass or inertia that no body has.
     MassError {
         /// Zero, negative or not finite, or so with the moments of inertia that go with it. A body that cannot move is

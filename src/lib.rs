@@ -62,6 +62,7 @@
 #![deny(missing_docs)]
 #![deny(unsafe_code)]
 
+mod aabb;
 mod body;
 mod contact;
 mod error;
@@ -70,21 +71,26 @@ pub mod impulse;
 mod manifold;
 mod mass;
 mod math;
+mod narrow_phase;
 mod scalar;
+mod shape;
 pub mod solver;
 
+pub use aabb::Aabb;
 pub use body::Body;
 pub use contact::{Contact, Material, RestitutionLaw};
 pub use error::{
-    BodyError, ContactError, DirectionError, MassError, MaterialError, OrientationError, RangeError, SolidError,
+    BodyError, ContactError, DirectionError, MassError, MaterialError, OrientationError, RangeError, ShapeError,
+    SolidError,
 };
 pub use hash::StateHash;
 pub use manifold::{FeatureId, Manifold, ManifoldPoint};
 pub use mass::{MassProperties, Solid};
-pub use math::{Block, BlockImpulse, Mat3, Quat, SymBlock, SymMat3, UnitVec3, Vec3};
+pub use math::{Block, BlockImpulse, Mat3, Pose, Quat, SymBlock, SymMat3, UnitVec3, Vec3};
 #[cfg(feature = "fixed")]
 pub use scalar::Scaled32;
 pub use scalar::{Column, Scalar, Scaled, StepArithmetic};
+pub use shape::{Capsule, Closest, Collide, Cuboid, HalfSpace, ManifoldSink, Shape, Sphere};
 
 // The README's example compiles and runs.
 #[cfg(all(doctest, feature = "f32"))]

@@ -51,4 +51,40 @@ impl<S: Scalar> Manifold<S> {
         self.len += 1;
         true
     }
+
+    /// The manifold, if it has a point.
+    #[inline(always)]
+    pub(crate) fn into_option(self) -> Option<Self> {
+        if self.len == 0 { None } else { Some(self) }
+    }
+
+    /// The same with those bits set in the names of its points.
+    pub(crate) fn renamed(mut self, bits: u16) -> Self {
+        for point in &mut self.points {
+            point.feature.0 |= bits;
+        }
+        self
+    }
+
+    /// The same with the shapes in the other order.
+    #[must_use]
+    pub fn swapped(&self) -> Self {
+        let mut swapped = *self;
+        swapped.normal = -self.normal;
+        for point in &mut swapped.points {
+            core::mem::swap(&mut point.r_a, &mut point.r_b);
+        }
+        swapped
+    }
+
+    /// The same for shapes that sit on bodies: the arms are those of the bodies, from whose origins the poses of the shapes
+    /// are that far, in the world's axes.
+    #[must_use]
+    pub fn seen_from(&self, [a, b]: [Vec3<S>; 2]) -> Self {
+        let mut seen = *self;
+        for point in &mut seen.points {
+            (point.r_a, point.r_b) = (point.r_a + a, point.r_b + b);
+        }
+        seen
+    }
 }

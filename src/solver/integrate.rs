@@ -68,14 +68,18 @@ pub(super) fn store<S: Scalar>(
     } else {
         body.set_orientation(body.orientation());
     }
-    let (v, rests, clipped) = lowered(motion.now.v, places);
+    saturated | store_velocity(body, motion, places)
+}
+
+/// The velocities alone; whether one met the end of its range.
+pub(super) fn store_velocity<S: Scalar>(body: &mut Body<S>, motion: &Motion<S>, places: Places<S>) -> bool {
+    let (v, rests, clipped_v) = lowered(motion.now.v, places);
+    let (w, rests_w, clipped_w) = lowered(motion.now.w, S::Step::more(places, motion.size));
     body.linear_velocity = v;
     body.rests.linear = rests;
-    saturated |= clipped;
-    let (w, rests, clipped) = lowered(motion.now.w, turn_places);
     body.angular_velocity = w;
-    body.rests.angular = rests;
-    saturated | clipped
+    body.rests.angular = rests_w;
+    clipped_v | clipped_w
 }
 
 type Rest<S> = <<S as Scalar>::Step as StepArithmetic<S>>::Rest;

@@ -1,7 +1,7 @@
 //! One step over the caller's bodies.
 
 use super::constraint::{ManifoldConstraint, PointConstraint, WarmStart};
-use super::integrate::{integrate_position, integrate_velocity, lift, store};
+use super::integrate::{integrate_position, integrate_velocity, lift, store, store_velocity};
 use super::motion::{Motion, Pair, Velocity};
 use super::prepare::Frame;
 use super::settings::Settings;
@@ -156,6 +156,24 @@ impl<'a, S: Scalar> Step<'a, S> {
         (self.constraints, report)
     }
 
+    /// Solves the contacts as rigid ones, at one moment: velocities change and nothing moves. Each of the `sweeps` takes the
+    /// points in their order and finds the normal impulse that stops the approach, then the friction within its disc. Gaps
+    /// count as closed; neither gravity nor restitution acts.
+    pub fn finish_rigid(mut self, sweeps: u16) -> (Constraints<'a, S>, StepReport) {
+        self.constraints.warm_start();
+        let mut sweep = 0;
+        while sweep < sweeps {
+            self.constraints.sweep();
+            sweep += 1;
+        }
+        let places = self.constraints.places;
+        let mut report = StepReport::default();
+        for (body, motion) in moving(self.bodies, self.constraints.buffers.motions) {
+            report.saturated |= store_velocity(body, motion, places);
+        }
+        (self.constraints, report)
+    }
+
     fn sub_step(&mut self, first: bool) {
         let places = self.constraints.places;
         self.constraints.note_approaches();
@@ -261,6 +279,17 @@ impl<S: Scalar> Constraints<'_, S> {
             let softness = if manifold.hard { &settings.hard } else { &settings.soft };
             for point in points {
                 point.solve_normal(&mut pair, &sum, &manifold.normal, softness, push_out_speed);
+            }
+            put_back(motions, manifold, &pair);
+        });
+    }
+
+    fn sweep(&mut self) {
+        self.each(|motions, manifold, points| {
+            let Some(mut pair) = now(motions, manifold) else { return };
+            for point in points {
+                point.relax_normal(&mut pair, &manifold.normal);
+                point.solve_friction(&mut pair, &manifold.tangents, point.impulse[0]);
             }
             put_back(motions, manifold, &pair);
         });
