@@ -89,7 +89,7 @@ pub use mass::{MassProperties, Solid};
 pub use math::{Block, BlockImpulse, Mat3, Pose, Quat, SymBlock, SymMat3, UnitVec3, Vec3};
 #[cfg(feature = "fixed")]
 pub use scalar::Scaled32;
-pub use scalar::{Column, Scalar, Scaled, StepArithmetic};
+pub use scalar::{Column, Scalar, Scaled, StepArithmetic, Weights};
 pub use shape::{Capsule, Closest, Collide, Cuboid, HalfSpace, ManifoldSink, Shape, Sphere};
 
 // The README's example compiles and runs.

@@ -45,7 +45,7 @@ mod wide;
 
 #[cfg(feature = "fixed")]
 pub use self::scaled32::Scaled32;
-pub use self::step::{Column, StepArithmetic};
+pub use self::step::{Column, StepArithmetic, Weights};
 
 /// A number type of the kernel, with the family of formats that goes with it.
 ///

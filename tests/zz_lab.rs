@@ -307,3 +307,36 @@ fn networks() {
         println!("{name} {line}");
     }
 }
+
+#[test]
+fn piles() { all!(piles_in); }
+fn piles_in<S: HostScalar>(name: &str) {
+    let run = |what: &str, half: f64, masses: &[f64], secs: f64, g: f64| {
+        let mut s = Scene::<S>::new([0.0,-g,0.0],[1,60],4,0.5,0.0);
+        s.ground([0.0,1.0,0.0]);
+        for (k, m) in masses.iter().enumerate() { s.solid(*m, Shape::Cuboid([half;3]), [0.0, half*(1.0+2.0*k as f64), 0.0]); }
+        let n = masses.len();
+        s.run(secs);
+        let (mut drift, mut drop, mut speed, mut tilt) = (0.0f64, 0.0f64, 0.0f64, 0.0f64);
+        for k in 0..n { let p = s.position(k+1); drift = drift.max(p[0].hypot(p[2])); drop = drop.max(half*(1.0+2.0*k as f64)-p[1]); speed = speed.max(len(s.velocity(k+1))); tilt = tilt.max(1.0-s.orientation(k+1)[0].abs()); }
+        println!("{name} {what}: drift {:.2e} drop {:.2e} (of box) speed {speed:.1e} tilt {tilt:.1e} sat {}", drift/half/2.0, drop/half/2.0, s.saturated);
+    };
+    run("10 unit", 0.5, &[1.0;10], 10.0, G);
+    run("10 of 10cm", 0.05, &[0.37;10], 10.0, G);
+    run("4 + 100", 0.5, &[1.0,1.0,1.0,1.0,100.0], 10.0, G);
+    run("4 of 2cm 10g", 0.01, &[0.01;4], 10.0, G);
+    run("10 of 2cm 10g", 0.01, &[0.01;10], 10.0, G);
+    if name != "8" { run("4 of 2 [cm], 10 [g]", 1.0, &[10.0;4], 10.0, 981.0); }
+}
+#[test]
+fn sway() {
+    for sub in [4u8, 8] {
+    for n in [3usize, 5, 10] {
+        let mut s = Scene::<f64>::new([0.0,-G,0.0],[1,60],sub,0.5,0.0);
+        s.ground([0.0,1.0,0.0]);
+        for k in 0..n { s.solid(1.0, Shape::Cuboid([0.5;3]), [0.0, 0.5+k as f64, 0.0]); }
+        let mut line = String::new();
+        for _ in 0..8 { let mut m = 0.0f64; for _ in 0..300 { s.step(); m = m.max(len(s.velocity(n))); } line += &format!(" {m:.1e} {:?}|", s.velocity(n).map(|x| (x*1e5).round()/1e5)); }
+        println!("sub {sub} n {n} {line} x {:?}", s.position(n));
+    }}
+}

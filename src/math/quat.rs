@@ -5,7 +5,7 @@ use core::ops::Mul;
 use super::unit_vec3::is_near_one;
 use super::{Mat3, Vec3};
 use crate::error::OrientationError;
-use crate::scalar::{Scalar, Scaled};
+use crate::scalar::{Scalar, Scaled, StepArithmetic};
 
 /// A rotation from the body's frame to the world's, as a quaternion of unit length with components in the format
 /// [`Scalar::Unit`] (Q2.30 in fixed point).
@@ -109,21 +109,12 @@ impl<S: Scalar> Quat<S> {
         }
     }
 
-    /// The orientation after a rotation about the world's axis along `u` by twice its length, in radians: exact up to the
-    /// fifth power of the angle, of unit length again, and unchanged by none.
+    /// The orientation after a rotation about the world's axis along `u` by twice its length, in radians.
+    #[inline(always)]
     #[must_use]
     pub(crate) fn turned(self, u: Vec3<S::Unit>) -> Self {
-        // tan x = x + x^3/3 + ...
-        let third = S::Unit::from_scaled(S::Scaled::ratio(1, 3)).0;
-        let u = u + u * u.dot(u).times(third);
-        let Self { w, x, y, z } = self;
-        let turned = Self {
-            w: w.minus(S::Unit::dot3(u.to_array(), [x, y, z])),
-            x: x.plus(S::Unit::dot3(u.to_array(), [w, z, y.negated()])),
-            y: y.plus(S::Unit::dot3(u.to_array(), [z.negated(), w, x])),
-            z: z.plus(S::Unit::dot3(u.to_array(), [y, x.negated(), w])),
-        };
-        turned.divided(turned.square().sqrt())
+        let [w, x, y, z] = S::Step::turned(self.to_array(), u);
+        Self { w, x, y, z }
     }
 
     /// A vector of the body's frame in the world's frame.

@@ -6,24 +6,24 @@ use crate::math::Vec3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FloatStep;
 
-/// r x d and I^-1 (r x d).
+/// r x d and I^-1 (r x d) for three directions.
 #[derive(Clone, Copy, Debug)]
-pub struct StepLever<T> {
-    pub(super) arm: Vec3<T>,
-    pub(super) turn: Vec3<T>,
+pub struct FloatLevers<T> {
+    pub(super) arms: [Vec3<T>; 3],
+    pub(super) turns: [Vec3<T>; 3],
 }
 
 /// Implements `StepArithmetic` for a float: `$half` is 1/2.
 macro_rules! float_step {
     ($float:ty, sqrt: $sqrt:expr, zero: $zero:expr, half: $half:expr) => {
-        use super::float_step::{FloatStep, StepLever};
-        use super::step::{Column, StepArithmetic};
+        use super::float_step::{FloatLevers, FloatStep};
+        use super::step::{Column, StepArithmetic, Weights};
 
         impl StepArithmetic<$float> for FloatStep {
             type Places = ();
             type Rest = ();
             type Ratio = $float;
-            type Lever = StepLever<$float>;
+            type Levers = FloatLevers<$float>;
 
             const NO_PLACES: () = ();
             const MOST_PLACES: () = ();
@@ -70,25 +70,63 @@ macro_rules! float_step {
             }
 
             #[inline(always)]
-            fn lever(r: &Vec3<$float>, d: &Vec3<$float>, inv_inertia: &SymMat3<$float>, (): ()) -> Self::Lever {
-                let arm = r.cross(*d);
-                StepLever { arm, turn: inv_inertia.times(arm) }
+            fn levers(
+                r: &Vec3<$float>,
+                d: [&Vec3<$float>; 3],
+                inv_inertia: &SymMat3<$float>,
+                (): (),
+            ) -> Self::Levers {
+                let arms = [r.cross(*d[0]), r.cross(*d[1]), r.cross(*d[2])];
+                let turns = [inv_inertia.times(arms[0]), inv_inertia.times(arms[1]), inv_inertia.times(arms[2])];
+                FloatLevers { arms, turns }
             }
 
             #[inline(always)]
-            fn coupling(d: &Self::Lever, other: &Self::Lever) -> $float {
-                d.arm.dot(other.turn)
+            fn weights(sides: [Option<(&Self::Levers, $float)>; 2], friction: $float) -> Weights<$float> {
+                let mut k = [$zero; 4];
+                for (FloatLevers { arms: [n, x, y], turns: [turn_n, turn_x, turn_y] }, inv_mass) in
+                    sides.into_iter().flatten()
+                {
+                    k[0] = k[0] + (inv_mass + n.dot(*turn_n));
+                    k[1] = k[1] + (inv_mass + x.dot(*turn_x));
+                    k[2] = k[2] + x.dot(*turn_y);
+                    k[3] = k[3] + (inv_mass + y.dot(*turn_y));
+                }
+                let [normal, xx, xy, yy] = k;
+                let larger = if xx < yy { yy } else { xx };
+                let tangent = larger + if xy < $zero { -xy } else { xy };
+                let determinant = xx * yy - xy * xy;
+                let least = tangent * tangent * <$float as $crate::scalar::Scaled>::EPSILON;
+                // Without a second direction in which anything gives way, each is taken alone.
+                let block = if determinant > least {
+                    let factor = tangent / determinant;
+                    [yy * factor, -(xy * factor), xx * factor]
+                } else {
+                    [$half + $half, $zero, $half + $half]
+                };
+                let one = $half + $half;
+                let inv_normal = one / normal;
+                Weights { inv_normal, inv_tangent: one / tangent, block, friction: friction * tangent * inv_normal }
             }
 
             #[inline(always)]
-            fn column(lever: &Self::Lever, inv_mass: $float, inv_k: $float, (): ()) -> Column<$float> {
-                Column { arm: lever.arm, turn: lever.turn * inv_k, share: inv_mass * inv_k }
-            }
-
-            #[inline(always)]
-            fn opposite_column(lever: &Self::Lever, inv_mass: $float, inv_k: $float, (): ()) -> Column<$float> {
-                let column: Column<$float> = Self::column(lever, inv_mass, inv_k, ());
-                Column { arm: -column.arm, turn: -column.turn, share: -column.share }
+            fn columns(
+                levers: &Self::Levers,
+                inv_mass: $float,
+                weights: &Weights<$float>,
+                (): (),
+            ) -> [Column<$float>; 3] {
+                let column = |arm: Vec3<$float>, turn: Vec3<$float>, inv_k: $float| Column::<$float> {
+                    arm,
+                    turn: turn * inv_k,
+                    share: inv_mass * inv_k,
+                };
+                let ([n, x, y], [turn_n, turn_x, turn_y]) = (levers.arms, levers.turns);
+                [
+                    column(n, turn_n, weights.inv_normal),
+                    column(x, turn_x, weights.inv_tangent),
+                    column(y, turn_y, weights.inv_tangent),
+                ]
             }
 
             #[inline(always)]
@@ -125,6 +163,34 @@ macro_rules! float_step {
             }
 
             #[inline(always)]
+            fn pull(
+                v: &mut Vec3<$float>,
+                w: &mut Vec3<$float>,
+                d: &Vec3<$float>,
+                column: &Column<$float>,
+                impulse: $float,
+            ) {
+                *v -= *d * (column.share * impulse);
+                *w += column.turn * impulse;
+            }
+
+            #[inline]
+            fn turned([w, x, y, z]: [$float; 4], u: Vec3<$float>) -> [$float; 4] {
+                // tan a = a + a^3/3 + ...
+                let third: $float = <$float as $crate::scalar::Scaled>::ratio(1, 3);
+                let u = u + u * (u.dot(u) * third);
+                let turned = [
+                    w - (u.x * x + u.y * y + u.z * z),
+                    x + (u.x * w + (u.y * z - u.z * y)),
+                    y + (u.y * w + (u.z * x - u.x * z)),
+                    z + (u.z * w + (u.x * y - u.y * x)),
+                ];
+                let [a, b, c, d] = turned;
+                let length = $sqrt((a * a + b * b) + (c * c + d * d));
+                [a / length, b / length, c / length, d / length]
+            }
+
+            #[inline(always)]
             fn moved(x: $float, (): (), (): ()) -> $float {
                 x
             }
@@ -137,11 +203,6 @@ macro_rules! float_step {
             #[inline(always)]
             fn times(x: $float, factor: $float) -> $float {
                 x * factor
-            }
-
-            #[inline(always)]
-            fn ratio(x: $float) -> $float {
-                x
             }
 
             #[inline(always)]

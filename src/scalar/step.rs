@@ -10,8 +10,7 @@ use core::fmt::Debug;
 use super::Scalar;
 use crate::math::{SymMat3, Vec3};
 
-/// What a row does to one body, and what it sees of the body's spin. The part of the body that comes first in the pair is
-/// stored with the opposite sign.
+/// What a row does to one body, and what it sees of the body's spin, along the body's own direction away from the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Column<S: Scalar> {
     /// r x d: what of the spin is speed along the direction.
@@ -27,6 +26,20 @@ impl<S: Scalar> Column<S> {
     pub const NONE: Self = Self { arm: Vec3::ZERO, turn: Vec3::ZERO, share: <S::Unit as Scalar>::ZERO };
 }
 
+/// A contact point's inverse masses K along the normal and across it, as rows need them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Weights<S: Scalar> {
+    /// 1/K along the normal.
+    pub inv_normal: S::Scaled,
+    /// 1/K across it: for the tangents' 2x2 matrix, the inverse of the larger diagonal element and the other's magnitude, which
+    /// no direction exceeds.
+    pub inv_tangent: S::Scaled,
+    /// The inverse of the tangents' 2x2 matrix in units of that: xx, xy, yy.
+    pub block: [<S::Step as StepArithmetic<S>>::Ratio; 3],
+    /// The coefficient of friction for impulses in these units.
+    pub friction: <S::Step as StepArithmetic<S>>::Ratio,
+}
+
 /// Speeds of a step are kept in `S` itself, in fixed point with as many more [`Places`](Self::Places) as the fastest body of
 /// the step leaves room for; spins with as many as makes them speeds at the distance of the body's size.
 pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 'static {
@@ -36,8 +49,8 @@ pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 's
     type Rest: Copy + Default + Debug + PartialEq + Send + Sync + 'static;
     /// A factor that may be above two.
     type Ratio: Copy + Default + Debug + PartialEq + Send + Sync + 'static;
-    /// r x d and I^-1 (r x d) of any magnitude.
-    type Lever: Copy + Debug + Send + Sync + 'static;
+    /// r x d and I^-1 (r x d) of any magnitude, in three directions.
+    type Levers: Copy + Debug + Send + Sync + 'static;
 
     /// None.
     const NO_PLACES: Self::Places;
@@ -69,19 +82,22 @@ pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 's
     /// Half the angle that a sum of spins over sub-steps turns by, at the end of the range beyond it.
     fn half_angle(turned: S, h: S::SubStep, places: Self::Places) -> S::Unit;
 
-    /// r x d and I^-1 (r x d).
-    fn lever(
+    /// r x d and I^-1 (r x d) for three directions.
+    fn levers(
         r: &Vec3<S>,
-        d: &Vec3<S::Unit>,
+        d: [&Vec3<S::Unit>; 3],
         inv_inertia: &SymMat3<S::Unit>,
         exponent: S::Exponent,
-    ) -> Self::Lever;
-    /// (r x d) . I^-1 (r x d') of two levers of one body.
-    fn coupling(d: &Self::Lever, other: &Self::Lever) -> S::Scaled;
-    /// The column of a body with that inverse mass and size, for 1/K.
-    fn column(lever: &Self::Lever, inv_mass: S::Scaled, inv_k: S::Scaled, size: Self::Places) -> Column<S>;
-    /// The same for the body that comes first.
-    fn opposite_column(lever: &Self::Lever, inv_mass: S::Scaled, inv_k: S::Scaled, size: Self::Places) -> Column<S>;
+    ) -> Self::Levers;
+    /// What the levers and inverse masses of the bodies, one or two, come to along a normal and two tangents.
+    fn weights(sides: [Option<(&Self::Levers, S::Scaled)>; 2], friction: S) -> Weights<S>;
+    /// The columns of a body with that inverse mass and size, for the normal and the tangents.
+    fn columns(
+        levers: &Self::Levers,
+        inv_mass: S::Scaled,
+        weights: &Weights<S>,
+        size: Self::Places,
+    ) -> [Column<S>; 3];
 
     /// A direction as rows have it.
     fn direction(d: &Vec3<S::Unit>) -> Vec3<S::Unit>;
@@ -89,8 +105,13 @@ pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 's
     fn lone_speed(d: &Vec3<S::Unit>, v: &Vec3<S>, w: &Vec3<S>, column: &Column<S>) -> S;
     /// The speed of the second body's point relative to the first's.
     fn pair_speed(d: &Vec3<S::Unit>, v: [&Vec3<S>; 2], w: [&Vec3<S>; 2], columns: [&Column<S>; 2]) -> S;
-    /// Adds an impulse.
+    /// Adds an impulse along the direction.
     fn push(v: &mut Vec3<S>, w: &mut Vec3<S>, d: &Vec3<S::Unit>, column: &Column<S>, impulse: S);
+    /// Adds an impulse along the opposite direction, to which the column belongs.
+    fn pull(v: &mut Vec3<S>, w: &mut Vec3<S>, d: &Vec3<S::Unit>, column: &Column<S>, impulse: S);
+    /// The orientation after a rotation about the world's axis along `u` by twice its length, in radians: to the fifth power
+    /// of the angle, and of unit length again.
+    fn turned(orientation: [S::Unit; 4], u: Vec3<S::Unit>) -> [S::Unit; 4];
 
     /// A number that was lifted by other places.
     fn moved(x: S, from: Self::Places, to: Self::Places) -> S;
@@ -98,8 +119,6 @@ pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 's
     fn half(x: S) -> S;
     /// A speed times a factor within two.
     fn times(x: S, factor: S::Unit) -> S;
-    /// The factor nearest to a number of any magnitude.
-    fn ratio(x: S::Scaled) -> Self::Ratio;
     /// A speed times a factor.
     fn by_ratio(x: S, factor: Self::Ratio) -> S;
     /// A symmetric 2x2 matrix (xx, xy, yy) times a vector.

@@ -1,38 +1,43 @@
-//! The arithmetic of a step in fixed point: 32-bit numbers in the units of the step, and Q2.30 columns.
+//! The arithmetic of a step in fixed point: 32-bit numbers in the units of the step, and prepared columns.
 //!
-//! A body's spin is kept times a power of two near its size rho, 5.6 to 16 times the square root of (1/m) / trace(I^-1). So spins
-//! and speeds are of one magnitude, |r x d| / rho is at most 4 for arms up to 18 times the thickness of a rod, and the
-//! change of spin for an impulse, rho |I^-1 (r x d)|/K, at most rho sqrt(m / 4 I_min) < 8, whatever the shape and the arm.
+//! A body's spin is kept times a power of two near its size rho, 11 to 32 times the square root of (1/m) / trace(I^-1). So spins
+//! and speeds are of one magnitude, |r x d| / rho is below 2 for arms up to 18 times the thickness of a rod, and the change of
+//! spin for an impulse, rho |I^-1 (r x d)|/K, at most rho sqrt(m / 4 I_min) < 16, whatever the shape and the arm.
+//!
+//! In the inner loops sums of products are rounded once, to the nearest. A check of the impulse before it is applied, and of
+//! a speed after it is formed, leads to slower code where a number could leave its range: there it stays at the end of it.
 
 use fixed::FixedI32;
 use fixed::types::I2F30;
 use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30, U31};
 
 use super::integer::{round_shift, round_sqrt, wide_quotient};
-use super::product::{dot, dot2, leading_zeros, product};
+use super::product::{add_dot, dot, dot2, leading_zeros, product};
 use super::scaled32::{Scaled32, shift_product};
-use super::step::{Column, StepArithmetic};
+use super::step::{Column, StepArithmetic, Weights};
 use super::stored32::clip;
-use super::wide::{bits, bits_of, magnitude, narrow};
+use super::wide::{bits, bits_of, high, inverse, magnitude, max, narrow};
 use crate::math::{SymMat3, Vec3};
 
 /// The arithmetic of a step for `FixedI32`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FixedStep;
 
-/// r x d and I^-1 (r x d): blocks of Q2.30.
+/// r x d and I^-1 (r x d) for three directions: blocks of Q2.30.
 #[derive(Clone, Copy, Debug)]
-pub struct StepLever32 {
-    arm: [i32; 3],
+pub struct StepLevers32 {
+    arms: [[i32; 3]; 3],
     arm_exponent: i32,
-    turn: [i32; 3],
+    turns: [[i32; 3]; 3],
     turn_exponent: i32,
 }
 
-/// Fraction bits of directions and of arms, which are below 4.
+/// Fraction bits of directions and of arms, which are below 2.
 const ARM: u32 = 28;
-/// Fraction bits of a turn, which is below 8.
-const TURN: u32 = 27;
+/// Fraction bits of a turn, which is below 16.
+const TURN: u32 = 26;
+/// Impulses whose effects are within 32 bits without a look: less than this.
+const LARGE: i32 = 1 << 26;
 /// Fraction bits of a ratio.
 const RATIO: u32 = 20;
 /// The size of a body in powers of two, at either end.
@@ -40,45 +45,17 @@ const LARGEST: i32 = 14;
 /// What is stored of a velocity beyond its format.
 const REST: i32 = 16;
 
-/// `x` without the places that rounding takes, clipped.
+/// `x / 2^K` rounded, for results within 32 bits.
 #[inline(always)]
-fn near(x: i64, places: u32) -> i32 {
-    let rounded = round_shift(x, places);
-    if rounded as i32 as i64 == rounded { rounded as i32 } else { clip(rounded).0 }
+fn round<const K: u32>(x: i64) -> i32 {
+    narrow::<K>(x.wrapping_add(1 << (K - 1)))
 }
 
-/// `x / 2^down` rounded and clipped, for any `down`.
+/// `x / 2^K` rounded and clipped.
 #[inline(always)]
-fn shifted(x: i64, down: i32) -> i32 {
-    clip(shift_product(x, down)).0
-}
-
-/// The same within +-2^30.
-#[inline(always)]
-fn unit(x: i64, down: i32) -> I2F30 {
-    let bits = shift_product(x, down);
-    let one = 1 << 30;
-    I2F30::from_bits(if bits > one { 1 << 30 } else if bits < -one { -(1 << 30) } else { bits as i32 })
-}
-
-#[inline(always)]
-fn vector<F>(v: [i32; 3]) -> Vec3<FixedI32<F>> {
-    Vec3::new(FixedI32::from_bits(v[0]), FixedI32::from_bits(v[1]), FixedI32::from_bits(v[2]))
-}
-
-/// The sum of two 64-bit numbers without the places of an arm, rounded and clipped.
-#[inline(always)]
-fn near_sum(x: i64, y: i64) -> i32 {
-    match x.checked_add(y) {
-        Some(sum) => near_far(sum),
-        None => end(x),
-    }
-}
-
-#[inline(always)]
-fn near_far(sum: i64) -> i32 {
-    // Rounding does not leave 64 bits: it is done on what is above the last 27 places.
-    let rounded = ((sum >> (ARM - 1)).wrapping_add(1).wrapping_add(sum >> 63)) >> 1;
+fn near<const K: u32>(x: i64) -> i32 {
+    // The sum leaves 64 bits only where the result leaves 32.
+    let rounded = x.saturating_add(1 << (K - 1)) >> K;
     if rounded as i32 as i64 == rounded { rounded as i32 } else { end(rounded) }
 }
 
@@ -88,6 +65,165 @@ fn end(x: i64) -> i32 {
     if x < 0 { i32::MIN } else { i32::MAX }
 }
 
+/// `x / 2^down` rounded and clipped, for any `down`.
+#[inline(never)]
+fn shifted(x: i64, down: i32) -> i32 {
+    clip(shift_product(x, down)).0
+}
+
+/// The same within +-2^PLACES.
+#[inline(never)]
+fn within<const PLACES: u32>(x: i64, down: i32) -> i32 {
+    let (x, end) = (shift_product(x, down), 1i64 << PLACES);
+    if x > end { 1 << PLACES } else if x < -end { -(1 << PLACES) } else { x as i32 }
+}
+
+/// `x / 2^down` rounded, for `|x|` up to 2^30 and `down` from 1 on.
+#[inline(always)]
+fn rounded_down(x: i32, down: i32) -> i32 {
+    let down = (down as u32).min(31);
+    x.wrapping_add(1i32.wrapping_shl(down.wrapping_sub(1))).wrapping_shr(down)
+}
+
+#[inline(always)]
+fn unit_vector(v: [i32; 3]) -> Vec3<I2F30> {
+    Vec3::new(I2F30::from_bits(v[0]), I2F30::from_bits(v[1]), I2F30::from_bits(v[2]))
+}
+
+/// Adds a change to each component.
+#[inline(always)]
+fn add<F: LeEqU32>(v: &mut Vec3<FixedI32<F>>, change: [i32; 3]) {
+    v.x = v.x.saturating_add(FixedI32::from_bits(change[0]));
+    v.y = v.y.saturating_add(FixedI32::from_bits(change[1]));
+    v.z = v.z.saturating_add(FixedI32::from_bits(change[2]));
+}
+
+/// A vector of Q2.30 after that of 2^-28, or opposite to it, times its length; and a turn.
+#[inline(always)]
+fn apply<F: LeEqU32>(
+    v: &mut Vec3<FixedI32<F>>,
+    w: &mut Vec3<FixedI32<F>>,
+    d: &Vec3<I2F30>,
+    column: &Column<FixedI32<F>>,
+    impulse: i32,
+    sign: i32,
+) where
+    FixedI32<F>: super::Scalar<Unit = I2F30>,
+{
+    let (d, turn) = (bits(d), bits(&column.turn));
+    if impulse.wrapping_add(LARGE) as u32 >= 2 * LARGE as u32 {
+        return apply_large(v, w, [d, turn], column.share.to_bits(), impulse, sign);
+    }
+    let share = round::<30>(product(column.share.to_bits(), impulse)).wrapping_mul(sign);
+    let along = |d| round::<ARM>(product(d, share));
+    add(v, [along(d[0]), along(d[1]), along(d[2])]);
+    let turned = |u| round::<TURN>(product(u, impulse));
+    add(w, [turned(turn[0]), turned(turn[1]), turned(turn[2])]);
+}
+
+#[cold]
+#[inline(never)]
+fn apply_large<F: LeEqU32>(
+    v: &mut Vec3<FixedI32<F>>,
+    w: &mut Vec3<FixedI32<F>>,
+    [d, turn]: [[i32; 3]; 2],
+    share: i32,
+    impulse: i32,
+    sign: i32,
+) {
+    let share = near::<30>(product(share, impulse)).saturating_mul(sign);
+    add(v, [near::<ARM>(product(d[0], share)), near::<ARM>(product(d[1], share)), near::<ARM>(product(d[2], share))]);
+    let turned = |u| near::<TURN>(product(u, impulse));
+    add(w, [turned(turn[0]), turned(turn[1]), turned(turn[2])]);
+}
+
+/// One lever's column for an inverse mass `m` and an inverse K `k`, as mantissa and exponent.
+#[inline(always)]
+fn column<F: LeEqU32>(levers: &StepLevers32, index: usize, m: Scaled32, k: Scaled32, size: i32) -> Column<FixedI32<F>>
+where
+    FixedI32<F>: super::Scalar<Unit = I2F30>,
+{
+    let (Some(&arm), Some(&turn)) = (levers.arms.get(index), levers.turns.get(index)) else { return Column::NONE };
+    // 2^29.8 and one place less: within 2^29.
+    let down = size.wrapping_sub(levers.arm_exponent).wrapping_add(30 - ARM as i32);
+    let arm = if down >= 1 {
+        [rounded_down(arm[0], down), rounded_down(arm[1], down), rounded_down(arm[2], down)]
+    } else {
+        let far = |x: i32| within::<{ ARM + 1 }>(x as i64, down);
+        [far(arm[0]), far(arm[1]), far(arm[2])]
+    };
+    // Products below 2^59.8, of which 29 places go first.
+    let down = (60 - TURN as i32).wrapping_sub(levers.turn_exponent).wrapping_sub(k.exponent()).wrapping_sub(size);
+    let turn = if down >= 30 {
+        let part = |x| rounded_down(narrow::<30>(product(x, k.mantissa())), down.wrapping_sub(30));
+        let exact = |x| round::<30>(product(x, k.mantissa()));
+        if down == 30 { [exact(turn[0]), exact(turn[1]), exact(turn[2])] } else { [part(turn[0]), part(turn[1]), part(turn[2])] }
+    } else {
+        let far = |x| within::<30>(product(x, k.mantissa()), down);
+        [far(turn[0]), far(turn[1]), far(turn[2])]
+    };
+    let down = 30i32.wrapping_sub(m.exponent()).wrapping_sub(k.exponent());
+    let share = within::<30>(product(m.mantissa(), k.mantissa()), down);
+    Column { arm: unit_vector(arm), turn: unit_vector(turn), share: I2F30::from_bits(share) }
+}
+
+/// `2^exponent / k` for `k > 0`.
+#[inline(always)]
+fn inverted(k: i32, exponent: i32) -> Scaled32 {
+    let zeros = leading_zeros(k as u32 | 1);
+    // 2^61 / d, between 2^29 and 2^30.
+    let q = inverse((k as u32).wrapping_shl(zeros));
+    Scaled32::cut(q as i64, exponent.wrapping_add(zeros as i32).wrapping_sub(61))
+}
+
+/// A term moved right to the unit of the sum.
+#[inline(always)]
+fn aligned(x: i32, down: i32) -> i32 {
+    x.wrapping_shr((down as u32).min(31))
+}
+
+/// The inverse of the tangents' matrix in units of 1/`tangent`.
+#[inline(never)]
+fn block(xx: i32, xy: i32, yy: i32, tangent: i32) -> [i32; 3] {
+    let number = |x: i32| Scaled32::new(x as i64, -30);
+    let (xx, xy, yy, tangent) = (number(xx), number(xy), number(yy), number(tangent));
+    let determinant = xx * yy - xy * xy;
+    if determinant <= tangent * tangent * <Scaled32 as super::Scaled>::EPSILON {
+        return [1 << RATIO, 0, 1 << RATIO];
+    }
+    let factor = tangent / determinant;
+    [ratio(yy * factor), ratio(-(xy * factor)), ratio(xx * factor)]
+}
+
+#[inline(always)]
+fn ratio(x: Scaled32) -> i32 {
+    clip(x.to_bits(RATIO as i32)).0.max(-i32::MAX)
+}
+
+/// A quaternion that is nearly of unit length, brought to it.
+#[inline(always)]
+fn normalized(q: [i32; 4]) -> [I2F30; 4] {
+    let square = dot2([q[0], q[1]], [q[0], q[1]]).wrapping_add(dot2([q[2], q[3]], [q[2], q[3]]));
+    let excess = narrow::<30>(square.wrapping_sub(1 << 60));
+    let factor = if excess.wrapping_add(1 << 20) as u32 <= 1 << 21 {
+        // 1 - e/2 + 3/8 e^2, for |e| below 2^-10.
+        let second = narrow::<30>(product(excess, excess));
+        (1i32 << 30).wrapping_sub(excess >> 1).wrapping_add((second >> 1).wrapping_sub(second >> 3))
+    } else {
+        inverse_length(square)
+    };
+    let part = |x| I2F30::from_bits(round::<30>(product(x, factor)));
+    [part(q[0]), part(q[1]), part(q[2]), part(q[3])]
+}
+
+/// 1/length in Q2.30, for a square between 1 and 4 in units of 2^-60.
+#[cold]
+#[inline(never)]
+fn inverse_length(square: i64) -> i32 {
+    let length = round_sqrt(square as u64) | 1 << 30;
+    inverse(length << 1)
+}
+
 impl<Frac> StepArithmetic<FixedI32<Frac>> for FixedStep
 where
     Frac: LeEqU32 + IsLessOrEqual<U30, Output = True> + Send + Sync + 'static,
@@ -95,7 +231,7 @@ where
     type Places = i32;
     type Rest = i16;
     type Ratio = i32;
-    type Lever = StepLever32;
+    type Levers = StepLevers32;
 
     const NO_PLACES: i32 = 0;
     const MOST_PLACES: i32 = REST;
@@ -105,7 +241,7 @@ where
     #[inline(always)]
     fn size(inv_mass: Scaled32, exponent: i32) -> i32 {
         let square = inv_mass.exponent().wrapping_sub(exponent).clamp(-64, 64);
-        (square >> 1).wrapping_add(4).clamp(-LARGEST, LARGEST)
+        (square >> 1).wrapping_add(5).clamp(-LARGEST, LARGEST)
     }
 
     #[inline(always)]
@@ -121,13 +257,25 @@ where
 
     #[inline(always)]
     fn lift(x: FixedI32<Frac>, rest: i16, places: i32) -> FixedI32<Frac> {
-        let wide = (x.to_bits() as i64).wrapping_shl(REST as u32).wrapping_add(rest as i64);
+        let (x, zeros) = (x.to_bits(), leading_zeros(magnitude([x.to_bits(), 0, 0])) as i32);
+        if places > 0 && places < REST && places.wrapping_add(1) < zeros {
+            let rest = rounded_down(rest as i32, REST.wrapping_sub(places));
+            return FixedI32::from_bits(x.wrapping_shl(places as u32).wrapping_add(rest));
+        }
+        let wide = (x as i64).wrapping_shl(REST as u32).wrapping_add(rest as i64);
         FixedI32::from_bits(shifted(wide, REST.wrapping_sub(places)))
     }
 
     #[inline(always)]
     fn lower(x: FixedI32<Frac>, places: i32) -> (FixedI32<Frac>, i16, bool) {
-        let wide = shift_product(x.to_bits() as i64, places.wrapping_sub(REST));
+        let x = x.to_bits();
+        if places > 0 && places <= REST && (x.wrapping_add(1 << 30) as u32) < 1 << 31 {
+            let places = places as u32;
+            let stored = rounded_down(x, places as i32);
+            let rest = x.wrapping_sub(stored.wrapping_shl(places)).wrapping_shl((REST as u32).wrapping_sub(places));
+            return (FixedI32::from_bits(stored), rest as i16, false);
+        }
+        let wide = shift_product(x as i64, places.wrapping_sub(REST));
         let stored = wide.wrapping_add(1 << (REST - 1)) >> REST;
         let (bits, clipped) = clip(stored);
         let rest = if clipped { 0 } else { wide as i16 };
@@ -163,65 +311,102 @@ where
 
     #[inline(always)]
     fn half_angle(turned: FixedI32<Frac>, h: FixedI32<U31>, places: i32) -> I2F30 {
-        unit(product(turned.to_bits(), h.to_bits()), Frac::I32.wrapping_add(places).wrapping_add(2))
+        let down = Frac::I32.wrapping_add(places).wrapping_add(2);
+        I2F30::from_bits(within::<30>(product(turned.to_bits(), h.to_bits()), down))
     }
 
     #[inline(never)]
-    fn lever(r: &Vec3<FixedI32<Frac>>, d: &Vec3<I2F30>, inv_inertia: &SymMat3<I2F30>, exponent: i32) -> StepLever32 {
+    fn levers(
+        r: &Vec3<FixedI32<Frac>>,
+        d: [&Vec3<I2F30>; 3],
+        inv_inertia: &SymMat3<I2F30>,
+        exponent: i32,
+    ) -> StepLevers32 {
         let r = bits_of(r);
         let places = leading_zeros(magnitude(r)).wrapping_sub(1);
         let r = [r[0].wrapping_shl(places), r[1].wrapping_shl(places), r[2].wrapping_shl(places)];
-        let d = bits(d);
-        let m = [d[0].wrapping_neg(), d[1].wrapping_neg(), d[2].wrapping_neg()];
-        let arm = [
-            narrow::<32>(dot2([r[1], r[2]], [d[2], m[1]])),
-            narrow::<32>(dot2([r[2], r[0]], [d[0], m[2]])),
-            narrow::<32>(dot2([r[0], r[1]], [d[1], m[0]])),
-        ];
+        let arm = |d: &Vec3<I2F30>| {
+            let d = bits(d);
+            let m = [d[0].wrapping_neg(), d[1].wrapping_neg(), d[2].wrapping_neg()];
+            [
+                narrow::<32>(dot2([r[1], r[2]], [d[2], m[1]])),
+                narrow::<32>(dot2([r[2], r[0]], [d[0], m[2]])),
+                narrow::<32>(dot2([r[0], r[1]], [d[1], m[0]])),
+            ]
+        };
+        let arms = [arm(d[0]), arm(d[1]), arm(d[2])];
         let arm_exponent = 32i32.wrapping_sub(Frac::I32).wrapping_sub(places as i32);
         let SymMat3 { xx, xy, xz, yy, yz, zz } = inv_inertia;
-        let turn = [
-            narrow::<29>(dot([xx.to_bits(), xy.to_bits(), xz.to_bits()], arm)),
-            narrow::<29>(dot([xy.to_bits(), yy.to_bits(), yz.to_bits()], arm)),
-            narrow::<29>(dot([xz.to_bits(), yz.to_bits(), zz.to_bits()], arm)),
-        ];
-        let turn_exponent = arm_exponent.wrapping_add(exponent).wrapping_sub(1);
-        StepLever32 { arm, arm_exponent, turn, turn_exponent }
-    }
-
-    #[inline(always)]
-    fn coupling(d: &StepLever32, other: &StepLever32) -> Scaled32 {
-        Scaled32::new(dot(d.arm, other.turn), d.arm_exponent.wrapping_add(other.turn_exponent).wrapping_sub(60))
+        let [xx, xy, xz] = [xx.to_bits(), xy.to_bits(), xz.to_bits()];
+        let [yy, yz, zz] = [yy.to_bits(), yz.to_bits(), zz.to_bits()];
+        let turn = |c: [i32; 3]| {
+            if xy | xz | yz | (xx ^ yy) | (xx ^ zz) == 0 {
+                let part = |c| narrow::<29>(product(xx, c));
+                return [part(c[0]), part(c[1]), part(c[2])];
+            }
+            [narrow::<29>(dot([xx, xy, xz], c)), narrow::<29>(dot([xy, yy, yz], c)), narrow::<29>(dot([xz, yz, zz], c))]
+        };
+        let turns = [turn(arms[0]), turn(arms[1]), turn(arms[2])];
+        StepLevers32 { arms, arm_exponent, turns, turn_exponent: arm_exponent.wrapping_add(exponent).wrapping_sub(1) }
     }
 
     #[inline(never)]
-    fn column(lever: &StepLever32, inv_mass: Scaled32, inv_k: Scaled32, size: i32) -> Column<FixedI32<Frac>> {
-        let down = size.wrapping_sub(lever.arm_exponent).wrapping_add(30 - ARM as i32);
-        let [x, y, z] = lever.arm;
-        let arm = Vec3::new(unit(x as i64, down), unit(y as i64, down), unit(z as i64, down));
-        let down = 60i32
-            .wrapping_sub(TURN as i32)
-            .wrapping_sub(lever.turn_exponent)
-            .wrapping_sub(inv_k.exponent())
-            .wrapping_sub(size);
-        let [x, y, z] = lever.turn;
-        let turn = |x| I2F30::from_bits(shifted(product(x, inv_k.mantissa()), down));
-        let turn = Vec3::new(turn(x), turn(y), turn(z));
-        let down = 30i32.wrapping_sub(inv_mass.exponent()).wrapping_sub(inv_k.exponent());
-        Column { arm, turn, share: unit(product(inv_mass.mantissa(), inv_k.mantissa()), down) }
+    fn weights(
+        sides: [Option<(&StepLevers32, Scaled32)>; 2],
+        friction: FixedI32<Frac>,
+    ) -> Weights<FixedI32<Frac>> {
+        let mut top = Scaled32::LOWEST;
+        let exponent = |levers: &StepLevers32| levers.arm_exponent.wrapping_add(levers.turn_exponent).wrapping_add(2);
+        for (levers, inv_mass) in sides.iter().flatten() {
+            top = max(top, max(inv_mass.exponent(), exponent(levers)));
+        }
+        // Four terms below 2^30.
+        let top = top.wrapping_add(2);
+        let mut k = [0i32; 4];
+        for (levers, inv_mass) in sides.iter().flatten() {
+            let mass = aligned(inv_mass.mantissa(), top.wrapping_sub(inv_mass.exponent()));
+            let down = top.wrapping_sub(exponent(levers));
+            let ([n, x, y], [turn_n, turn_x, turn_y]) = (levers.arms, levers.turns);
+            let part = |c, u| aligned(high(dot(c, u)), down);
+            k[0] = k[0].wrapping_add(mass).wrapping_add(max(part(n, turn_n), 0));
+            k[1] = k[1].wrapping_add(mass).wrapping_add(max(part(x, turn_x), 0));
+            k[2] = k[2].wrapping_add(part(x, turn_y));
+            k[3] = k[3].wrapping_add(mass).wrapping_add(max(part(y, turn_y), 0));
+        }
+        let [normal, xx, xy, yy] = k;
+        let aside = xy.wrapping_abs();
+        let tangent = max(xx, yy).wrapping_add(aside);
+        let unit = 30i32.wrapping_sub(top);
+        let (inv_normal, inv_tangent) = (inverted(normal, unit), inverted(tangent, unit));
+        // Of a ball the matrix is a multiple of one, up to rounding.
+        let uneven = aside.wrapping_add(xx.wrapping_sub(yy).wrapping_abs());
+        let block = if uneven <= tangent >> 16 { [1 << RATIO, 0, 1 << RATIO] } else { block(xx, xy, yy, tangent) };
+        // mu tangent/normal, in units of 2^-20.
+        let factor = narrow::<30>(product(tangent, inv_normal.mantissa()));
+        let down = unit.wrapping_add(Frac::I32 - RATIO as i32).wrapping_sub(inv_normal.exponent());
+        let friction = shifted(product(friction.to_bits(), factor), down);
+        Weights { inv_normal, inv_tangent, block, friction }
     }
 
-    #[inline(always)]
-    fn opposite_column(lever: &StepLever32, inv_mass: Scaled32, inv_k: Scaled32, size: i32) -> Column<FixedI32<Frac>> {
-        let column: Column<FixedI32<Frac>> = Self::column(lever, inv_mass, inv_k, size);
-        Column { arm: -column.arm, turn: -column.turn, share: column.share.wrapping_neg() }
+    #[inline(never)]
+    fn columns(
+        levers: &StepLevers32,
+        inv_mass: Scaled32,
+        weights: &Weights<FixedI32<Frac>>,
+        size: i32,
+    ) -> [Column<FixedI32<Frac>>; 3] {
+        [
+            column(levers, 0, inv_mass, weights.inv_normal, size),
+            column(levers, 1, inv_mass, weights.inv_tangent, size),
+            column(levers, 2, inv_mass, weights.inv_tangent, size),
+        ]
     }
 
     #[inline(always)]
     fn direction(d: &Vec3<I2F30>) -> Vec3<I2F30> {
-        let near = |x: i32| I2F30::from_bits(round_shift(x as i64, 30 - ARM) as i32);
         let [x, y, z] = bits(d);
-        Vec3::new(near(x), near(y), near(z))
+        let near = |x| rounded_down(x, 30 - ARM as i32);
+        unit_vector([near(x), near(y), near(z)])
     }
 
     #[inline(always)]
@@ -231,8 +416,9 @@ where
         w: &Vec3<FixedI32<Frac>>,
         column: &Column<FixedI32<Frac>>,
     ) -> FixedI32<Frac> {
-        let (linear, turned) = (dot(bits_of(v), bits(d)), dot(bits_of(w), bits(&column.arm)));
-        FixedI32::from_bits(near_sum(linear, turned))
+        // |v . d| < 2^60 and |w . arm| < 3 2^60.
+        let sum = add_dot(dot(bits_of(v), bits(d)), bits_of(w), bits(&column.arm));
+        FixedI32::from_bits(near::<ARM>(sum))
     }
 
     #[inline(always)]
@@ -243,12 +429,8 @@ where
         columns: [&Column<FixedI32<Frac>>; 2],
     ) -> FixedI32<Frac> {
         let linear = dot(bits_of(&(*v[1] - *v[0])), bits(d));
-        let turned_a = dot(bits_of(w[0]), bits(&columns[0].arm));
-        let turned_b = dot(bits_of(w[1]), bits(&columns[1].arm));
-        match linear.checked_add(turned_a) {
-            Some(sum) => FixedI32::from_bits(near_sum(sum, turned_b)),
-            None => FixedI32::from_bits(end(linear)),
-        }
+        let turned = add_dot(linear, bits_of(w[0]), bits(&columns[0].arm));
+        FixedI32::from_bits(near::<ARM>(add_dot(turned, bits_of(w[1]), bits(&columns[1].arm))))
     }
 
     #[inline(always)]
@@ -259,16 +441,41 @@ where
         column: &Column<FixedI32<Frac>>,
         impulse: FixedI32<Frac>,
     ) {
-        let impulse = impulse.to_bits();
-        let share = near(product(column.share.to_bits(), impulse), 30);
-        let [x, y, z] = bits(d);
-        *v += vector([near(product(x, share), ARM), near(product(y, share), ARM), near(product(z, share), ARM)]);
-        let [x, y, z] = bits(&column.turn);
-        *w += vector([
-            near(product(x, impulse), TURN),
-            near(product(y, impulse), TURN),
-            near(product(z, impulse), TURN),
-        ]);
+        apply(v, w, d, column, impulse.to_bits(), 1);
+    }
+
+    #[inline(always)]
+    fn pull(
+        v: &mut Vec3<FixedI32<Frac>>,
+        w: &mut Vec3<FixedI32<Frac>>,
+        d: &Vec3<I2F30>,
+        column: &Column<FixedI32<Frac>>,
+        impulse: FixedI32<Frac>,
+    ) {
+        apply(v, w, d, column, impulse.to_bits(), -1);
+    }
+
+    #[inline(never)]
+    fn turned(orientation: [I2F30; 4], u: Vec3<I2F30>) -> [I2F30; 4] {
+        let [w, x, y, z] = [
+            orientation[0].to_bits(),
+            orientation[1].to_bits(),
+            orientation[2].to_bits(),
+            orientation[3].to_bits(),
+        ];
+        // tan a = a + a^3/3 + ...; 357913941 is a third.
+        let u = bits(&u);
+        let third = round::<30>(product(round::<30>(dot(u, u)), 357_913_941));
+        let more = |x: i32| x.wrapping_add(round::<30>(product(x, third)));
+        let u = [more(u[0]), more(u[1]), more(u[2])];
+        let part = |d| round::<30>(dot(u, d));
+        let neg = i32::wrapping_neg;
+        normalized([
+            w.wrapping_sub(part([x, y, z])),
+            x.wrapping_add(part([w, z, neg(y)])),
+            y.wrapping_add(part([neg(z), w, x])),
+            z.wrapping_add(part([y, neg(x), w])),
+        ])
     }
 
     #[inline(always)]
@@ -283,23 +490,21 @@ where
 
     #[inline(always)]
     fn times(x: FixedI32<Frac>, factor: I2F30) -> FixedI32<Frac> {
-        FixedI32::from_bits(near(product(x.to_bits(), factor.to_bits()), 30))
-    }
-
-    #[inline(always)]
-    fn ratio(x: Scaled32) -> i32 {
-        clip(x.to_bits(RATIO as i32)).0.max(-i32::MAX)
+        FixedI32::from_bits(near::<30>(product(x.to_bits(), factor.to_bits())))
     }
 
     #[inline(always)]
     fn by_ratio(x: FixedI32<Frac>, factor: i32) -> FixedI32<Frac> {
-        FixedI32::from_bits(near(product(x.to_bits(), factor), RATIO))
+        FixedI32::from_bits(near::<RATIO>(product(x.to_bits(), factor)))
     }
 
     #[inline(always)]
     fn by_block(v: [FixedI32<Frac>; 2], [xx, xy, yy]: [i32; 3]) -> [FixedI32<Frac>; 2] {
+        if xy == 0 && xx == 1 << RATIO && yy == 1 << RATIO {
+            return v;
+        }
         let v = [v[0].to_bits(), v[1].to_bits()];
-        [FixedI32::from_bits(near(dot2([xx, xy], v), RATIO)), FixedI32::from_bits(near(dot2([xy, yy], v), RATIO))]
+        [FixedI32::from_bits(near::<RATIO>(dot2([xx, xy], v))), FixedI32::from_bits(near::<RATIO>(dot2([xy, yy], v)))]
     }
 
     #[inline(always)]
@@ -313,7 +518,7 @@ where
         let v = [v[0].to_bits(), v[1].to_bits()];
         let whole = round_sqrt(dot2(v, v) as u64);
         let factor = wide_quotient(length.to_bits().unsigned_abs(), whole, 31).unwrap_or(i32::MAX as u32) as i32;
-        [FixedI32::from_bits(near(product(v[0], factor), 31)), FixedI32::from_bits(near(product(v[1], factor), 31))]
+        [FixedI32::from_bits(near::<31>(product(v[0], factor))), FixedI32::from_bits(near::<31>(product(v[1], factor)))]
     }
 
     #[inline(never)]

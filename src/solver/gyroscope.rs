@@ -1,6 +1,6 @@
 //! Free rotation of bodies that are not the same about every axis.
 
-use super::integrate::turned;
+use super::integrate::{half_angles, turned};
 use crate::body::Body;
 use crate::math::{Mat3, Vec3};
 use crate::scalar::{Scalar, StepArithmetic};
@@ -21,8 +21,7 @@ pub(super) fn spin<S: Scalar>(body: &mut Body<S>, w: Vec3<S>, h: S::SubStep, pla
     let middle = local + halved::<S>(slope);
     let change = change(body.gyration, middle, h, places);
     let mean = w + into_world(&before, halved::<S>(change));
-    let u = mean.to_array().map(|w| S::Step::half_angle(w, h, places));
-    body.set_orientation_alone(turned(body.orientation(), Vec3::from_array(u)));
+    body.set_orientation_alone(turned(body.orientation(), half_angles(mean, h, places)));
     let after = body.orientation().to_mat3();
     into_world(&before, halved::<S>(change)) + into_world(&after, halved::<S>(change))
 }

@@ -5,7 +5,7 @@ use super::motion::{Motion, Velocity};
 use super::settings::Settings;
 use crate::body::Body;
 use crate::math::{Quat, Vec3};
-use crate::scalar::{Scalar, StepArithmetic};
+use crate::scalar::{Scalar, Scaled, StepArithmetic};
 
 type Places<S> = <<S as Scalar>::Step as StepArithmetic<S>>::Places;
 
@@ -63,12 +63,36 @@ pub(super) fn store<S: Scalar>(
     }
     body.position = Vec3::from_array(place);
     if motion.isotropic {
-        let u = motion.sum.w.to_array().map(|w| S::Step::half_angle(w, h, turn_places));
-        body.set_orientation_alone(turned(body.orientation(), Vec3::from_array(u)));
+        body.set_orientation_alone(turn(body.orientation(), motion.sum.w, h, turn_places));
     } else {
         body.set_orientation(body.orientation());
     }
     saturated | store_velocity(body, motion, places)
+}
+
+/// The orientation after a sum of spins: in one rotation or, where that is a large one, in up to eight.
+#[inline(always)]
+fn turn<S: Scalar>(orientation: Quat<S>, sum: Vec3<S>, h: S::SubStep, places: Places<S>) -> Quat<S> {
+    let half = S::Unit::from_scaled(S::Scaled::from_parts(1, -1)).0;
+    let (mut sum, mut rotations) = (sum, 1);
+    let mut u = half_angles(sum, h, places);
+    while rotations < 8 && u.to_array().iter().any(|x| *x > half || x.negated() > half) {
+        sum = Vec3::new(S::Step::half(sum.x), S::Step::half(sum.y), S::Step::half(sum.z));
+        u = half_angles(sum, h, places);
+        rotations *= 2;
+    }
+    let mut after = orientation;
+    while rotations > 0 {
+        after = turned(after, u);
+        rotations -= 1;
+    }
+    after
+}
+
+#[inline(always)]
+pub(super) fn half_angles<S: Scalar>(w: Vec3<S>, h: S::SubStep, places: Places<S>) -> Vec3<S::Unit> {
+    let angle = |w| S::Step::half_angle(w, h, places);
+    Vec3::new(angle(w.x), angle(w.y), angle(w.z))
 }
 
 /// The velocities alone; whether one met the end of its range.

@@ -79,7 +79,7 @@ impl<S: Scalar> Pair<S> {
     #[inline(always)]
     pub fn push(&mut self, d: &Vec3<S::Unit>, [column_a, column_b]: &[Column<S>; 2], impulse: S) {
         if let Some(a) = &mut self.a {
-            S::Step::push(&mut a.v, &mut a.w, d, column_a, impulse);
+            S::Step::pull(&mut a.v, &mut a.w, d, column_a, impulse);
         }
         S::Step::push(&mut self.b.v, &mut self.b.w, d, column_b, impulse);
     }

@@ -2,7 +2,9 @@
 #![allow(dead_code)]
 
 use carom::solver::{Buffers, ManifoldConstraint, Motion, PointConstraint, Settings, Step, WarmStart};
-use carom::{Body, FeatureId, Manifold, ManifoldPoint, MassProperties, Material, Quat, Scalar, UnitVec3, Vec3};
+use carom::{
+    Body, Collide, Cuboid, HalfSpace, Manifold, MassProperties, Material, Pose, Quat, Scalar, Sphere, UnitVec3, Vec3,
+};
 
 use crate::host::HostScalar;
 
@@ -147,23 +149,26 @@ impl<S: HostScalar> Scene<S> {
     }
 }
 
-/// Those of all pairs, in the order of the bodies.
+/// Those of all pairs, in the order of the bodies: within a part of the size, and as far as a step leads where that is
+/// farther than the size.
 fn manifolds<S: HostScalar>(
     bodies: &[Body<S>],
     shapes: &[Shape],
     margin: f64,
     dt: f64,
 ) -> Vec<([u16; 2], Manifold<S>)> {
+    let length = |v: Vec3<S>| floats(v).iter().map(|x| x * x).sum::<f64>().sqrt();
+    let pose = |body: &Body<S>| Pose::new(body.position, body.orientation());
     let mut found = vec![];
     for (i, (a, shape_a)) in bodies.iter().zip(shapes).enumerate() {
         for (j, (b, shape_b)) in bodies.iter().zip(shapes).enumerate().skip(i + 1) {
-            let manifold = match (*shape_a, *shape_b) {
-                (Shape::HalfSpace(n), Shape::Sphere(r)) => Some(half_space_sphere(a, n, b, r, margin, dt)),
-                (Shape::HalfSpace(n), Shape::Cuboid(h)) => Some(half_space_cuboid(a, n, b, h, margin, dt)),
-                (Shape::Sphere(r), Shape::Sphere(s)) => sphere_sphere(a, r, b, s, margin, dt),
-                _ => None,
-            };
-            if let Some(manifold) = manifold.filter(|manifold| !manifold.points().is_empty()) {
+            let size = shape_a.size().min(shape_b.size());
+            let speed = length(b.linear_velocity - a.linear_velocity);
+            let way = dt * (speed + (length(a.angular_velocity) + length(b.angular_velocity)) * size);
+            let margin = number(margin * size + if way > size { way } else { 0.0 });
+            let mut manifold = None;
+            shape_a.build::<S>().collide(&pose(a), &shape_b.build(), &pose(b), margin, &mut manifold);
+            if let Some(manifold) = manifold.filter(|manifold: &Manifold<S>| !manifold.points().is_empty()) {
                 found.push(([i as u16, j as u16], manifold));
             }
         }
@@ -171,79 +176,27 @@ fn manifolds<S: HostScalar>(
     found
 }
 
-/// Within a part of the size; and as far as a step leads where that is farther than the size.
-fn reach<S: HostScalar>(a: &Body<S>, b: &Body<S>, size: f64, margin: f64, dt: f64) -> S {
-    let length = |v: Vec3<S>| floats(v).iter().map(|x| x * x).sum::<f64>().sqrt();
-    let way = dt * (length(b.linear_velocity - a.linear_velocity) + length(b.angular_velocity) * size);
-    number(margin * size + if way > size { way } else { 0.0 })
+carom::shapes! {
+    /// The shapes of scenes.
+    pub enum Piece<S> { Sphere, Cuboid, HalfSpace }
 }
 
-fn half<S: HostScalar>() -> S {
-    number(0.5)
-}
-
-fn half_space_sphere<S: HostScalar>(
-    a: &Body<S>,
-    n: [f64; 3],
-    b: &Body<S>,
-    r: f64,
-    margin: f64,
-    dt: f64,
-) -> Manifold<S> {
-    let normal = UnitVec3::<S>::new(Vec3::from_array(n.map(S::unit))).expect("a normal");
-    let mut manifold = Manifold::empty(normal);
-    let between = b.position - a.position;
-    let radius = number::<S>(r);
-    let separation = S::dot3_unit(between.to_array(), normal.get().to_array()).minus(radius);
-    if separation < reach(a, b, r, margin, dt) {
-        let r_b = normal.times(radius.plus(separation.times(half()))) * number(-1.0);
-        manifold.push(ManifoldPoint { r_a: between + r_b, r_b, separation, feature: FeatureId(0) });
-    }
-    manifold
-}
-
-fn half_space_cuboid<S: HostScalar>(
-    a: &Body<S>,
-    n: [f64; 3],
-    b: &Body<S>,
-    h: [f64; 3],
-    margin: f64,
-    dt: f64,
-) -> Manifold<S> {
-    let normal = UnitVec3::<S>::new(Vec3::from_array(n.map(S::unit))).expect("a normal");
-    let between = b.position - a.position;
-    let size = h.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let reach = reach(a, b, size, margin, dt);
-    let mut points = vec![];
-    for corner in 0..8u16 {
-        let sign = |bit: u16| if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
-        let arm = b.orientation().rotate(vector([h[0] * sign(0), h[1] * sign(1), h[2] * sign(2)]));
-        let separation = S::dot3_unit((between + arm).to_array(), normal.get().to_array());
-        if separation < reach {
-            let r_b = arm - normal.times(separation.times(half()));
-            points.push(ManifoldPoint { r_a: between + r_b, r_b, separation, feature: FeatureId(corner) });
+impl Shape {
+    fn size(&self) -> f64 {
+        match self {
+            Self::Sphere(r) => *r,
+            Self::Cuboid(h) => h.iter().map(|x| x * x).sum::<f64>().sqrt(),
+            Self::HalfSpace(_) => f64::INFINITY,
         }
     }
-    // The four lowest.
-    points.sort_by(|p, q| p.separation.partial_cmp(&q.separation).expect("numbers"));
-    points.truncate(4);
-    points.sort_by_key(|p| p.feature.0);
-    let mut manifold = Manifold::empty(normal);
-    for point in points {
-        manifold.push(point);
-    }
-    manifold
-}
 
-fn sphere_sphere<S: HostScalar>(a: &Body<S>, r: f64, b: &Body<S>, s: f64, margin: f64, dt: f64) -> Option<Manifold<S>> {
-    let between = b.position - a.position;
-    let normal = UnitVec3::normalize(between).ok()?;
-    let (radius_a, radius_b) = (number::<S>(r), number::<S>(s));
-    let separation = between.length().minus(radius_a).minus(radius_b);
-    let mut manifold = Manifold::empty(normal);
-    if separation < reach(a, b, r.min(s), margin, dt) {
-        let r_a = normal.times(radius_a.plus(separation.times(half())));
-        manifold.push(ManifoldPoint { r_a, r_b: r_a - between, separation, feature: FeatureId(0) });
+    fn build<S: HostScalar>(&self) -> Piece<S> {
+        match *self {
+            Self::Sphere(r) => Sphere::new(number(r)).expect("a radius").into(),
+            Self::Cuboid(h) => Cuboid::new(vector(h)).expect("half extents").into(),
+            Self::HalfSpace(n) => {
+                HalfSpace::new(UnitVec3::new(Vec3::from_array(n.map(S::unit))).expect("a direction")).into()
+            }
+        }
     }
-    Some(manifold)
 }
