@@ -10,7 +10,7 @@ use crate::scalar::{Scalar, Scaled, StepArithmetic};
 /// Positions and velocities are plain fields. Mass and inertia are set together, through [`MassProperties`], and the
 /// orientation through [`set_orientation`](Self::set_orientation), which keeps the world-frame tensor R I^-1 R^T up to
 /// date. What the format cannot hold of a motion is carried from step to step, so that the slowest arrives in the end.
-/// 144 bytes in f32; in fixed point 156.
+/// 140 bytes in f32; in fixed point 156.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Body<S: Scalar> {

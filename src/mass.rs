@@ -267,7 +267,12 @@ impl<S: Scalar> MassProperties<S> {
             (x, y, exponent)
         };
         let ((xx, yy, exponent), (zz, xy, _), (xz, yz, _)) = (block(xx, yy), block(zz, xy), block(xz, yz));
-        Ok(Self { inv_mass, inv_inertia: SymMat3 { xx, xy, xz, yy, yz, zz }, exponent, gyration: gyration::<S>(tensor) })
+        Ok(Self {
+            inv_mass,
+            inv_inertia: SymMat3 { xx, xy, xz, yy, yz, zz },
+            exponent,
+            gyration: gyration::<S>(tensor),
+        })
     }
 
     /// The same mass with the rotation locked: infinite inertia about every axis.

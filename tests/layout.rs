@@ -22,7 +22,7 @@ mod f32 {
 
     #[test]
     fn sizes_and_statics() {
-        assert_eq!(size_of::<Body<f32>>(), 104);
+        assert_eq!(size_of::<Body<f32>>(), 140);
         assert_eq!(size_of::<Contact<f32>>(), 36);
         assert!(GROUND.is_immovable() && UP.r_b.y == -1.0);
     }
@@ -40,7 +40,7 @@ mod fixed_point {
 
     #[test]
     fn sizes_and_statics() {
-        assert_eq!(size_of::<Body<I16F16>>(), 112);
+        assert_eq!(size_of::<Body<I16F16>>(), 156);
         assert_eq!(size_of::<Contact<I16F16>>(), 36);
         assert!(GROUND.is_immovable() && GROUND.orientation() == TURN && DEAD.friction() == I16F16::ZERO);
     }

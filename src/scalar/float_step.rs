@@ -70,12 +70,7 @@ macro_rules! float_step {
             }
 
             #[inline(always)]
-            fn levers(
-                r: &Vec3<$float>,
-                d: [&Vec3<$float>; 3],
-                inv_inertia: &SymMat3<$float>,
-                (): (),
-            ) -> Self::Levers {
+            fn levers(r: &Vec3<$float>, d: [&Vec3<$float>; 3], inv_inertia: &SymMat3<$float>, (): ()) -> Self::Levers {
                 let arms = [r.cross(*d[0]), r.cross(*d[1]), r.cross(*d[2])];
                 let turns = [inv_inertia.times(arms[0]), inv_inertia.times(arms[1]), inv_inertia.times(arms[2])];
                 FloatLevers { arms, turns }
@@ -87,10 +82,10 @@ macro_rules! float_step {
                 for (FloatLevers { arms: [n, x, y], turns: [turn_n, turn_x, turn_y] }, inv_mass) in
                     sides.into_iter().flatten()
                 {
-                    k[0] = k[0] + (inv_mass + n.dot(*turn_n));
-                    k[1] = k[1] + (inv_mass + x.dot(*turn_x));
-                    k[2] = k[2] + x.dot(*turn_y);
-                    k[3] = k[3] + (inv_mass + y.dot(*turn_y));
+                    k[0] += (inv_mass + n.dot(*turn_n));
+                    k[1] += (inv_mass + x.dot(*turn_x));
+                    k[2] += x.dot(*turn_y);
+                    k[3] += (inv_mass + y.dot(*turn_y));
                 }
                 let [normal, xx, xy, yy] = k;
                 let larger = if xx < yy { yy } else { xx };

@@ -75,7 +75,13 @@ fn shifted(x: i64, down: i32) -> i32 {
 #[inline(never)]
 fn within<const PLACES: u32>(x: i64, down: i32) -> i32 {
     let (x, end) = (shift_product(x, down), 1i64 << PLACES);
-    if x > end { 1 << PLACES } else if x < -end { -(1 << PLACES) } else { x as i32 }
+    if x > end {
+        1 << PLACES
+    } else if x < -end {
+        -(1 << PLACES)
+    } else {
+        x as i32
+    }
 }
 
 /// `x / 2^down` rounded, for `|x|` up to 2^30 and `down` from 1 on.
@@ -157,7 +163,11 @@ where
     let turn = if down >= 30 {
         let part = |x| rounded_down(narrow::<30>(product(x, k.mantissa())), down.wrapping_sub(30));
         let exact = |x| round::<30>(product(x, k.mantissa()));
-        if down == 30 { [exact(turn[0]), exact(turn[1]), exact(turn[2])] } else { [part(turn[0]), part(turn[1]), part(turn[2])] }
+        if down == 30 {
+            [exact(turn[0]), exact(turn[1]), exact(turn[2])]
+        } else {
+            [part(turn[0]), part(turn[1]), part(turn[2])]
+        }
     } else {
         let far = |x| within::<30>(product(x, k.mantissa()), down);
         [far(turn[0]), far(turn[1]), far(turn[2])]
@@ -351,10 +361,7 @@ where
     }
 
     #[inline(never)]
-    fn weights(
-        sides: [Option<(&StepLevers32, Scaled32)>; 2],
-        friction: FixedI32<Frac>,
-    ) -> Weights<FixedI32<Frac>> {
+    fn weights(sides: [Option<(&StepLevers32, Scaled32)>; 2], friction: FixedI32<Frac>) -> Weights<FixedI32<Frac>> {
         let mut top = Scaled32::LOWEST;
         let exponent = |levers: &StepLevers32| levers.arm_exponent.wrapping_add(levers.turn_exponent).wrapping_add(2);
         for (levers, inv_mass) in sides.iter().flatten() {
@@ -457,12 +464,8 @@ where
 
     #[inline(never)]
     fn turned(orientation: [I2F30; 4], u: Vec3<I2F30>) -> [I2F30; 4] {
-        let [w, x, y, z] = [
-            orientation[0].to_bits(),
-            orientation[1].to_bits(),
-            orientation[2].to_bits(),
-            orientation[3].to_bits(),
-        ];
+        let [w, x, y, z] =
+            [orientation[0].to_bits(), orientation[1].to_bits(), orientation[2].to_bits(), orientation[3].to_bits()];
         // tan a = a + a^3/3 + ...; 357913941 is a third.
         let u = bits(&u);
         let third = round::<30>(product(round::<30>(dot(u, u)), 357_913_941));

@@ -9,12 +9,7 @@ impl<S: Scalar> PointConstraint<S> {
     /// The friction that stops the points where that is within the disc: both directions at once. Else each direction with
     /// the mass of the heavier, cut to the disc's radius: a block's impulse, cut, would turn the sliding aside.
     #[inline(always)]
-    pub(super) fn solve_friction(
-        &mut self,
-        pair: &mut Pair<S>,
-        tangents: &[Vec3<S::Unit>; 2],
-        normal_impulse: S,
-    ) {
+    pub(super) fn solve_friction(&mut self, pair: &mut Pair<S>, tangents: &[Vec3<S::Unit>; 2], normal_impulse: S) {
         let [_, before_x, before_y] = self.impulse;
         let x = pair.speed(&tangents[0], &self.tangents[0]).plus(self.drive[1]);
         let y = pair.speed(&tangents[1], &self.tangents[1]).plus(self.drive[2]);

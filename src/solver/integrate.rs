@@ -22,12 +22,26 @@ pub(super) fn lift<S: Scalar>(body: &Body<S>, motion: &mut Motion<S>, places: Pl
     motion.sum = Velocity::ZERO;
 }
 
-/// Gravity over a sub-step, and once more what contacts did in the last one: they will do about the same again.
+/// Gravity and damping over a sub-step, and once more what contacts did in the last one: they will do about the same again.
 #[inline(always)]
-pub(super) fn integrate_velocity<S: Scalar>(motion: &mut Motion<S>, fall: &Vec3<S>) {
+pub(super) fn integrate_velocity<S: Scalar>(body: &Body<S>, motion: &mut Motion<S>, fall: &Vec3<S>, inv_h: S::Scaled) {
     let contacts = motion.now.minus(&motion.free);
-    motion.free = Velocity { v: motion.now.v + *fall, w: motion.now.w };
+    let fall = if body.gravity_scale == S::ONE { *fall } else { *fall * body.gravity_scale };
+    motion.free = Velocity {
+        v: damped(motion.now.v + fall, body.linear_damping, inv_h),
+        w: damped(motion.now.w, body.angular_damping, inv_h),
+    };
     motion.now = motion.free.plus(&contacts);
+}
+
+/// v / (1 + c h): implicit, so that no rate is too high.
+#[inline(always)]
+fn damped<S: Scalar>(v: Vec3<S>, rate: S, inv_h: S::Scaled) -> Vec3<S> {
+    if rate == S::ZERO {
+        return v;
+    }
+    let kept = S::Unit::from_scaled(inv_h / (inv_h + rate.to_scaled())).0;
+    Vec3::new(S::Step::times(v.x, kept), S::Step::times(v.y, kept), S::Step::times(v.z, kept))
 }
 
 /// A sub-step's motion; of bodies whose orientation matters to it, the orientation too.

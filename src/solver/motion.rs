@@ -68,9 +68,7 @@ impl<S: Scalar> Pair<S> {
     #[inline(always)]
     pub fn speed(&self, d: &Vec3<S::Unit>, [column_a, column_b]: &[Column<S>; 2]) -> S {
         match &self.a {
-            Some(a) => {
-                S::Step::pair_speed(d, [&a.v, &self.b.v], [&a.w, &self.b.w], [column_a, column_b])
-            }
+            Some(a) => S::Step::pair_speed(d, [&a.v, &self.b.v], [&a.w, &self.b.w], [column_a, column_b]),
             None => S::Step::lone_speed(d, &self.b.v, &self.b.w, column_b),
         }
     }

@@ -61,7 +61,8 @@ impl<S: Scalar> Frame<'_, S> {
             return [S::ZERO; 3];
         }
         let v = (*v + w.cross(*r)).to_array();
-        let along = |d: &Vec3<S::Unit>| S::Step::lift(S::dot3_unit(v, d.to_array()).negated(), S::Step::NO_REST, self.places);
+        let along =
+            |d: &Vec3<S::Unit>| S::Step::lift(S::dot3_unit(v, d.to_array()).negated(), S::Step::NO_REST, self.places);
         directions.map(along)
     }
 }

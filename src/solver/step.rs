@@ -19,6 +19,9 @@ const HEAD_OF_SPEEDS: u32 = 3;
 const HEAD_OF_SPINS: u32 = 1;
 const HEAD_OF_GRAVITY: u32 = 10;
 
+/// Turns by which a point's normal impulse and friction, each of which changes the other's speed, are brought to agree.
+const ROUNDS: u8 = 4;
+
 /// The working space of a step: a motion for each body, and as many manifolds and points as there may be.
 #[derive(Debug)]
 pub struct Buffers<'a, S: Scalar> {
@@ -60,7 +63,8 @@ impl<'a, S: Scalar> Step<'a, S> {
     pub fn begin(bodies: &'a mut [Body<S>], buffers: Buffers<'a, S>, settings: &Settings<S>) -> Self {
         let gain = |g, places| S::Step::gain(g, settings.h, places);
         let g = settings.gravity;
-        let fall = Vec3::new(gain(g.x, S::Step::NO_PLACES), gain(g.y, S::Step::NO_PLACES), gain(g.z, S::Step::NO_PLACES));
+        let fall =
+            Vec3::new(gain(g.x, S::Step::NO_PLACES), gain(g.y, S::Step::NO_PLACES), gain(g.z, S::Step::NO_PLACES));
         let sum = u32::from(settings.sub_steps).next_power_of_two().trailing_zeros();
         let mut places = S::Step::fit(S::Step::MOST_PLACES, &fall, S::Step::NO_PLACES, HEAD_OF_GRAVITY);
         for (body, motion) in bodies.iter().zip(buffers.motions.iter_mut()) {
@@ -74,7 +78,12 @@ impl<'a, S: Scalar> Step<'a, S> {
             lift(body, motion, places);
         }
         let fall = Vec3::new(gain(g.x, places), gain(g.y, places), gain(g.z, places));
-        Self { bodies, constraints: Constraints { buffers, manifolds: 0, points: 0, places }, settings: *settings, fall }
+        Self {
+            bodies,
+            constraints: Constraints { buffers, manifolds: 0, points: 0, places },
+            settings: *settings,
+            fall,
+        }
     }
 
     /// The bodies as they were before the step.
@@ -98,7 +107,9 @@ impl<'a, S: Scalar> Step<'a, S> {
             let body = self.bodies.get(usize::from(i))?;
             buffers.motions.get(usize::from(i)).map(|motion| (body, motion.size, motion.moves))
         };
-        let (Some((body_a, size_a, a_moves)), Some((body_b, size_b, b_moves))) = (find(a), find(b)) else { return true };
+        let (Some((body_a, size_a, a_moves)), Some((body_b, size_b, b_moves))) = (find(a), find(b)) else {
+            return true;
+        };
         let count = manifold.points().len();
         if count == 0 || !(a_moves || b_moves) {
             return true;
@@ -157,8 +168,8 @@ impl<'a, S: Scalar> Step<'a, S> {
     }
 
     /// Solves the contacts as rigid ones, at one moment: velocities change and nothing moves. Each of the `sweeps` takes the
-    /// points in their order and finds the normal impulse that stops the approach, then the friction within its disc. Gaps
-    /// count as closed; neither gravity nor restitution acts.
+    /// points in their order and finds the normal impulse that stops the approach and the friction within its disc, in four
+    /// turns. Gaps count as closed; neither gravity nor restitution acts.
     pub fn finish_rigid(mut self, sweeps: u16) -> (Constraints<'a, S>, StepReport) {
         self.constraints.warm_start();
         let mut sweep = 0;
@@ -178,8 +189,7 @@ impl<'a, S: Scalar> Step<'a, S> {
         let places = self.constraints.places;
         self.constraints.note_approaches();
         for (body, motion) in moving(self.bodies, self.constraints.buffers.motions) {
-            let fall = if body.gravity_scale == S::ONE { self.fall } else { self.fall * body.gravity_scale };
-            integrate_velocity(motion, &fall);
+            integrate_velocity(body, motion, &self.fall, self.settings.inv_h);
         }
         if first {
             self.constraints.warm_start();
@@ -235,10 +245,7 @@ fn put_back<S: Scalar>(motions: &mut [Motion<S>], manifold: &ManifoldConstraint<
 impl<S: Scalar> Constraints<'_, S> {
     /// Each manifold with its points and the motions of all bodies, in the order in which they were added.
     #[inline(always)]
-    fn each(
-        &mut self,
-        mut work: impl FnMut(&mut [Motion<S>], &ManifoldConstraint<S>, &mut [PointConstraint<S>]),
-    ) {
+    fn each(&mut self, mut work: impl FnMut(&mut [Motion<S>], &ManifoldConstraint<S>, &mut [PointConstraint<S>])) {
         let Buffers { motions, manifolds, points } = &mut self.buffers;
         let mut rest: &mut [PointConstraint<S>] = points;
         for manifold in manifolds.iter().take(self.manifolds) {
@@ -288,8 +295,12 @@ impl<S: Scalar> Constraints<'_, S> {
         self.each(|motions, manifold, points| {
             let Some(mut pair) = now(motions, manifold) else { return };
             for point in points {
-                point.relax_normal(&mut pair, &manifold.normal);
-                point.solve_friction(&mut pair, &manifold.tangents, point.impulse[0]);
+                let mut round = 0;
+                while round < ROUNDS {
+                    point.relax_normal(&mut pair, &manifold.normal);
+                    point.solve_friction(&mut pair, &manifold.tangents, point.impulse[0]);
+                    round += 1;
+                }
             }
             put_back(motions, manifold, &pair);
         });

@@ -126,8 +126,7 @@ impl<S: HostScalar> Scene<S> {
     }
 
     pub fn step(&mut self) {
-        let buffers =
-            Buffers { motions: &mut self.motions, manifolds: &mut self.manifolds, points: &mut self.points };
+        let buffers = Buffers { motions: &mut self.motions, manifolds: &mut self.manifolds, points: &mut self.points };
         let found = manifolds(&self.bodies, &self.shapes, self.margin, self.dt);
         let mut step = Step::begin(&mut self.bodies, buffers, &self.settings);
         self.contacts = found.iter().map(|(_, manifold)| manifold.points().len()).sum();

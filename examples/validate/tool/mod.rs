@@ -18,5 +18,6 @@ pub mod report;
 pub mod statistics;
 pub mod table;
 pub mod tolerances;
+pub mod tosses;
 pub mod units;
 pub mod vector;
