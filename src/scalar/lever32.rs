@@ -8,8 +8,8 @@
 use fixed::FixedI32;
 use fixed::types::I2F30;
 
-use super::integer::high_product;
-use super::product::{add_dot, dot, dot2, leading_zeros};
+use super::integer::{high_product, leading_zeros};
+use super::product::{add_dot, dot, dot2};
 use super::scaled32::Scaled32;
 use super::wide::{bits, bits_of, magnitude, narrow, shift_left, shift_right};
 use crate::math::{SymMat3, Vec3};

@@ -6,8 +6,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use fixed::types::I2F30;
 
 use super::Scaled;
-use super::integer::{high_product, long_quotient, quotient, round_shift, round_sqrt};
-use super::product::{leading_zeros, unsigned_product};
+use super::integer::{high_product, leading_zeros, long_quotient, quotient, round_shift, round_sqrt};
+use super::product::unsigned_product;
 
 /// A number `mantissa * 2^(exponent - 30)` whose mantissa has 30 bits (2^29 <= |mantissa| < 2^30), or zero.
 ///

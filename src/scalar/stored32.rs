@@ -6,7 +6,7 @@ use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30};
 
 use super::product::product;
 use super::scaled32::{Scaled32, shift_product};
-use super::wide::bits_of;
+use super::wide::{bits_of, high};
 use crate::math::Vec3;
 
 /// `x` clipped to 32 bits, and whether that changed it.
@@ -36,8 +36,9 @@ where
     }
     let down = (down as u32).min(31);
     let half = (1u32.wrapping_shl(down) >> 1) as i32;
-    let change = |d: i32| moved((product(d, k) >> 32) as i32, half, down);
-    if add_change(x, [change(d[0]), change(d[1]), change(d[2])]) { add_far(x, d, k, exponent) } else { false }
+    let d_k = [high(product(d[0], k)), high(product(d[1], k)), high(product(d[2], k))];
+    let change = [moved(d_k[0], half, down), moved(d_k[1], half, down), moved(d_k[2], half, down)];
+    if add_change(x, change) { add_far(x, d, k, exponent) } else { false }
 }
 
 /// `x + d` for a vector `d` in units of 2^exponent, and components of `x` in units of 2^-frac.
