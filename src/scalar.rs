@@ -154,6 +154,9 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     /// `d` is of length at most two.
     fn scaled_dot3(v: [Self; 3], d: [Self::Unit; 3]) -> Self::Scaled;
 
+    /// Whether `v0 d0 + v1 d1 + v2 d2` is below zero: the sign of [`scaled_dot3`](Self::scaled_dot3).
+    fn is_against(v: [Self; 3], d: [Self::Unit; 3]) -> bool;
+
     /// `-d` for a unit vector.
     fn opposite(d: &Vec3<Self::Unit>) -> Vec3<Self::Unit>;
 
@@ -170,15 +173,18 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     /// the other.
     fn parting_speed(v: [&Vec3<Self>; 2], d: [&Vec3<Self::Unit>; 2], levers: [&Self::Lever; 2]) -> Self::Scaled;
 
-    /// [`rebound`](Self::rebound) at once for points that approach each other; for others nothing that
-    /// [is an impulse](Scaled::is_impulse).
+    /// [`rebound`](Self::rebound) at once for points that approach each other; for others, or where that
+    /// [is no impulse](Scaled::is_impulse), the speed and the denominator of (10).
+    ///
+    /// # Errors
+    /// The speed at which the points part, and the denominator of (10).
     fn approach_impulse(
         restitution: Self,
         v: [&Vec3<Self>; 2],
         d: [&Vec3<Self::Unit>; 2],
         inv_masses: [Self::Scaled; 2],
         levers: [&Self::Lever; 2],
-    ) -> Self::Scaled;
+    ) -> Result<Self::Scaled, (Self::Scaled, Self::Scaled)>;
 
     /// The denominator of (10): `1/m + c . u`, added up for both bodies.
     fn inverse_mass(inv_masses: [Self::Scaled; 2], levers: [&Self::Lever; 2]) -> Self::Scaled;
@@ -286,7 +292,7 @@ pub trait Scaled:
     /// Neither an infinity nor a NaN; in fixed point: not the quotient by zero.
     fn is_finite(self) -> bool;
 
-    /// Above zero and finite: an impulse between approaching bodies.
+    /// Above zero and finite: an impulse between approaching bodies, or what such a one meets.
     fn is_impulse(self) -> bool;
 
     /// The square root; of a negative number NaN, in fixed point zero.

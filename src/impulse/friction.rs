@@ -59,9 +59,9 @@ impl<T: Scaled> ContactBlock<T> {
         inverse_mass: &SymBlock<S>,
         velocity: &Block<S>,
         normal: &Vec3<S::Unit>,
-        speed: T,
         inv_masses: [T; 2],
     ) -> Self {
+        let speed = velocity.along(normal);
         let normal = [normal.x.to_scaled(), normal.y.to_scaled(), normal.z.to_scaled()];
         let least = inv_masses[0] + inv_masses[1];
         let block =

@@ -51,6 +51,12 @@ impl<S: Scalar> Block<S> {
         [scaled::<S>(x, self.exponent), scaled::<S>(y, self.exponent), scaled::<S>(z, self.exponent)]
     }
 
+    /// The component along a unit vector: the exact sum, rounded once (one of rounded terms could have the other sign).
+    #[inline(always)]
+    pub(crate) fn along(&self, d: &Vec3<S::Unit>) -> S::Scaled {
+        S::Unit::scaled_dot3(self.mantissas.to_array(), d.to_array()).raised(self.exponent)
+    }
+
     /// The opposite vector.
     #[inline(always)]
     pub(crate) fn opposite(&self) -> Self {

@@ -81,6 +81,13 @@ fn divide(n: i32, d: i32, frac: u32) -> (i32, bool) {
     }
 }
 
+/// `x / length` in Q2.30, for a length of twice the places of `x` and no less than it.
+#[inline(always)]
+fn component(x: i32, length: u32) -> I2F30 {
+    let bits = wide_quotient(x.unsigned_abs(), length, 31).unwrap_or(1 << 30) as i32;
+    I2F30::from_bits(if x < 0 { bits.wrapping_neg() } else { bits })
+}
+
 impl<Frac> Scalar for FixedI32<Frac>
 where
     Frac: LeEqU32 + IsLessOrEqual<U30, Output = True> + Send + Sync + 'static,
@@ -196,17 +203,18 @@ where
         let v = [move_left(v[0], places), move_left(v[1], places), move_left(v[2], places)];
         // The root of the squares times four: the length to half a unit of its 31st bit.
         let length = round_sqrt((dot(v, v) as u64).wrapping_shl(2));
-        let component = |x: i32| {
-            let bits = wide_quotient(x.unsigned_abs(), length, 31).unwrap_or(1 << 30) as i32;
-            I2F30::from_bits(if x < 0 { bits.wrapping_neg() } else { bits })
-        };
-        Some([component(v[0]), component(v[1]), component(v[2])])
+        Some([component(v[0], length), component(v[1], length), component(v[2], length)])
     }
 
     #[inline(always)]
     fn scaled_dot3(v: [Self; 3], d: [I2F30; 3]) -> Scaled32 {
         // |v| < 2^31.8 and |d| <= 2^31 in units of the last place: below 2^62.8.
         Scaled32::new(dot(bits3(v), bits3(d)), -30i32.wrapping_add(Frac::I32))
+    }
+
+    #[inline(always)]
+    fn is_against(v: [Self; 3], d: [I2F30; 3]) -> bool {
+        dot(bits3(v), bits3(d)) < 0
     }
 
     #[inline(always)]
@@ -231,7 +239,7 @@ where
         d: [&Vec3<I2F30>; 2],
         inv_masses: [Scaled32; 2],
         levers: [&Lever32; 2],
-    ) -> Scaled32 {
+    ) -> Result<Scaled32, (Scaled32, Scaled32)> {
         let factor = rebound_factor(restitution);
         lever32::approach_impulse(factor, [bits_of(v[0]), bits_of(v[1])], d, inv_masses, levers, Frac::I32)
     }

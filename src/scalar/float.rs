@@ -165,6 +165,11 @@ macro_rules! float_scalar {
             }
 
             #[inline(always)]
+            fn is_against(v: [Self; 3], d: [Self; 3]) -> bool {
+                Self::scaled_dot3(v, d) < $zero
+            }
+
+            #[inline(always)]
             fn opposite(d: &Vec3<Self>) -> Vec3<Self> {
                 -*d
             }
@@ -189,9 +194,10 @@ macro_rules! float_scalar {
                 d: [&Vec3<Self>; 2],
                 inv_masses: [Self; 2],
                 levers: [&Self::Lever; 2],
-            ) -> Self {
-                let speed = Self::parting_speed(v, d, levers);
-                Self::rebound(restitution, speed, Self::inverse_mass(inv_masses, levers))
+            ) -> Result<Self, (Self, Self)> {
+                let (speed, k) = (Self::parting_speed(v, d, levers), Self::inverse_mass(inv_masses, levers));
+                let j = Self::rebound(restitution, speed, k);
+                if crate::scalar::Scaled::is_impulse(j) { Ok(j) } else { Err((speed, k)) }
             }
 
             #[inline(always)]

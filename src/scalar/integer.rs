@@ -148,14 +148,14 @@ pub(crate) fn wide_quotient(n: u32, d: u32, shift: u32) -> Option<u32> {
     // makes a 64-bit division of it.)
     q = q.wrapping_sub(8);
     r = r.wrapping_add(divisor.wrapping_shl(3));
-    let mut digit = 4;
-    while digit >= 0 {
-        let part = divisor.wrapping_shl(digit as u32);
+    let (mut part, mut digit) = (divisor.wrapping_shl(4), 16);
+    while digit > 0 {
         if r >= part {
-            q = q.wrapping_add(1 << digit);
+            q = q.wrapping_add(digit);
             r = r.wrapping_sub(part);
         }
-        digit -= 1;
+        part >>= 1;
+        digit >>= 1;
     }
     if r.wrapping_shl(1) >= divisor {
         q = q.wrapping_add(1);

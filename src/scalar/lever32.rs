@@ -120,7 +120,7 @@ pub(super) fn parting_speed(v: [[i32; 3]; 2], d: [&Vec3<I2F30>; 2], levers: [&Le
     }
 }
 
-/// `-(1 + e) speed / k` where the points approach each other, and nothing else: `factor` is 1 + e in Q2.30.
+/// `-(1 + e) speed / k` where the points approach each other, or else the speed and k: `factor` is 1 + e in Q2.30.
 #[inline(always)]
 pub(super) fn approach_impulse(
     factor: u32,
@@ -129,31 +129,24 @@ pub(super) fn approach_impulse(
     inv_masses: [Scaled32; 2],
     levers: [&Lever32; 2],
     frac: i32,
-) -> Scaled32 {
+) -> Result<Scaled32, (Scaled32, Scaled32)> {
     let linear = linear_speed(v, d);
     let (speed, exponent) = match near_speed(linear, levers, frac) {
         Some(near) => near,
-        None => return far_impulse(factor, linear, inv_masses, levers, frac),
+        None => {
+            let speed = far_parting_speed(linear, levers, frac);
+            ((speed.mantissa() as i64) << 32, speed.exponent().wrapping_sub(62))
+        }
     };
     let (k, k_exponent) = inverse_mass_sum(inv_masses, levers);
     if speed >= 0 || k == 0 {
-        return Scaled32::ZERO;
+        return Err((Scaled32::new(speed, exponent), Scaled32::new(k as i64, k_exponent)));
     }
     // The leading 32 bits of the speed, of which there are more.
     let speed = speed.wrapping_neg();
     let zeros = leading_zeros((speed >> 32) as u32 | 1);
     let n = high_product(shift_left(speed, zeros) as u32, factor);
-    Scaled32::leading_quotient((n, exponent.wrapping_sub(zeros as i32).wrapping_add(64)), (k, k_exponent))
-}
-
-#[cold]
-#[inline(never)]
-fn far_impulse(factor: u32, linear: i64, inv_masses: [Scaled32; 2], levers: [&Lever32; 2], frac: i32) -> Scaled32 {
-    let speed = far_parting_speed(linear, levers, frac);
-    if speed.mantissa() >= 0 {
-        return Scaled32::ZERO;
-    }
-    Scaled32::quotient_of_product(-speed, factor, inverse_mass(inv_masses, levers))
+    Ok(Scaled32::leading_quotient((n, exponent.wrapping_sub(zeros as i32).wrapping_add(64)), (k, k_exponent)))
 }
 
 /// The same for arms of any length, and for the slowest speeds: nothing is cut off before the terms are added.

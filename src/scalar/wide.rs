@@ -53,7 +53,7 @@ pub(super) fn high(x: i64) -> i32 {
 
 /// The leading zeros of a number above zero.
 #[inline(always)]
-pub(super) fn leading_zeros64(x: i64) -> u32 {
+pub(super) const fn leading_zeros64(x: i64) -> u32 {
     let (high, low) = ((x >> 32) as u32, x as u32);
     if high == 0 { leading_zeros(low).wrapping_add(32) } else { leading_zeros(high) }
 }
