@@ -1,5 +1,5 @@
-//! Exact products on this core: sums of 64-bit products, made by the library's own instructions on Cortex-M, against the
-//! compiler's 128-bit arithmetic, for extreme operands and for ten thousand others.
+//! Exact products on this core: the leading 30 bits of sums of 64-bit products, made by the library's own instructions on
+//! Cortex-M, against the compiler's 128-bit arithmetic, for extreme operands and for ten thousand others.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 mod board;
@@ -19,11 +19,16 @@ fn run() -> Exit {
     let mut words = Words(1);
     let mut wrong = 0u32;
     for turn in 0..10_000u32 {
-        // The first turns take every pair of extreme operands.
-        let extreme = |i: u32| EXTREMES[(i % EXTREMES.len() as u32) as usize];
-        let mut word = |i: u32| if turn < 200 { extreme(turn.wrapping_mul(i) ^ (turn >> i)) } else { words.next() };
-        let v = [word(0), word(1), word(2)];
-        let d = [word(3) >> 1, word(4) >> 1, word(5) >> 1];
+        // The first turns take every pair of extreme operands, in each place of the sum in turn.
+        let [n, m] = [turn % EXTREMES.len() as u32, turn / EXTREMES.len() as u32];
+        let (v, d) = if (m as usize) < EXTREMES.len() {
+            let extreme = |i: u32| EXTREMES[(i % EXTREMES.len() as u32) as usize];
+            ([extreme(n), extreme(n + 1), extreme(n + m)], [extreme(m), extreme(m + n), extreme(m + 1)])
+        } else {
+            ([words.next(), words.next(), words.next()], [words.next(), words.next(), words.next()])
+        };
+        // A direction is no longer than two.
+        let d = [d[0] >> 1, d[1] >> 1, d[2] >> 1];
         if !sum_is_right(v, d) {
             board::println!("wrong: {:?} . {:?}", v, d);
             wrong = wrong.wrapping_add(1);

@@ -54,7 +54,8 @@ pub enum Outcome {
     Slid,
     /// Neither body can move: nothing was changed.
     Immovable,
-    /// A velocity, arm or tensor was not finite, or the impulse would not be: nothing was changed. Never in fixed point.
+    /// A velocity, arm or tensor was not finite, or the impulse would not be, or would be less than the smallest number:
+    /// nothing was changed. Never in fixed point.
     NotFinite,
 }
 
@@ -109,7 +110,7 @@ pub fn collision_impulse<S: Scalar>(a: &Body<S>, b: &Body<S>, contact: &Contact<
     let column = Column::new(a, b, contact, contact.normal);
     let (speed, k) = (column.speed(a, b), column.inverse_mass(a, b));
     let j = S::rebound(restitution, speed, k);
-    if k.is_impulse() && j.is_finite() { S::from_scaled(j).0 } else { S::ZERO }
+    if k.is_positive() && j.is_finite() { S::from_scaled(j).0 } else { S::ZERO }
 }
 
 /// Applies an impulse along the normal to both bodies, by (2) and (3). True where a velocity met the end of the format.

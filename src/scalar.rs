@@ -174,7 +174,7 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     fn parting_speed(v: [&Vec3<Self>; 2], d: [&Vec3<Self::Unit>; 2], levers: [&Self::Lever; 2]) -> Self::Scaled;
 
     /// [`rebound`](Self::rebound) at once for points that approach each other; for others, or where that
-    /// [is no impulse](Scaled::is_impulse), the speed and the denominator of (10).
+    /// [is no impulse](Scaled::is_positive), the speed and the denominator of (10).
     ///
     /// # Errors
     /// The speed at which the points part, and the denominator of (10).
@@ -250,7 +250,8 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
 /// A bound on the turns of the search for the direction in which points slide, in
 /// [`resolve_collision_with_friction`](crate::impulse::resolve_collision_with_friction).
 ///
-/// Newton's method takes 3 to 6 of them; where it leaves the bracket, bisection takes its place. What the last turn leaves
+/// Newton's method takes 3 to 6 of them, more where friction nearly holds; where it leaves the bracket, bisection takes its
+/// place. What the last turn leaves
 /// unresolved turns the friction by its share; the cone and Newton's law of restitution hold all the same, but where friction
 /// presses the bodies together so hard that the normal impulse is taken from the tangential rows: there v_n' has its share, too.
 pub const MAX_SLIP_ITERATIONS: usize = 24;
@@ -292,8 +293,8 @@ pub trait Scaled:
     /// Neither an infinity nor a NaN; in fixed point: not the quotient by zero.
     fn is_finite(self) -> bool;
 
-    /// Above zero and finite: an impulse between approaching bodies, or what such a one meets.
-    fn is_impulse(self) -> bool;
+    /// Above zero and finite.
+    fn is_positive(self) -> bool;
 
     /// The square root; of a negative number NaN, in fixed point zero.
     #[must_use]

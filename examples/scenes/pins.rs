@@ -10,7 +10,7 @@ const IMPACTS: Pins = [
     ("i16f16", 0x6d0c_15c7_bb63_cc38),
     ("i12f20", 0xfcf9_478f_77c5_95f1),
     ("i8f24", 0xf465_d73d_6de0_aca9),
-    ("micromath", 0x30a2_39f7_b8e4_87ee),
+    ("micromath", 0x9fe5_163e_ff18_1106),
 ];
 
 /// After the billiard break.

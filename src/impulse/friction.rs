@@ -20,6 +20,12 @@ impl<T: Scaled> Impulse<T> {
         Self { normal, across, whole }
     }
 
+    /// No component is an infinity or NaN.
+    #[inline(always)]
+    pub fn is_finite(&self) -> bool {
+        (self.whole[0] + self.whole[1] + self.whole[2]).is_finite()
+    }
+
     /// The same under one power of two.
     #[inline(always)]
     pub fn to_block<S: Scalar<Scaled = T>>(self) -> BlockImpulse<S> {

@@ -41,7 +41,11 @@ pub(super) fn rub<S: Scalar>(
         RestitutionLaw::Newton => j,
         RestitutionLaw::EnergySafe => {
             let block = ContactBlock::new(&inverse_mass, &velocity, &normal, inv_masses);
-            limit_energy(&block, material.friction().to_scaled(), Impulse::from_block(&j)).map_or(j, Impulse::to_block)
+            match limit_energy(&block, material.friction().to_scaled(), Impulse::from_block(&j)) {
+                None => j,
+                Some(less) if less.is_finite() => less.to_block(),
+                Some(_) => return Impact::nothing(Outcome::NotFinite),
+            }
         }
     };
     let clipped = apply_block(a, b, [r_a, r_b], &arms, &Block { mantissas: j.whole, exponent: j.exponent });
@@ -89,7 +93,7 @@ fn solve_scaled<S: Scalar>(
     // A float has no other way.
     let (j, outcome) =
         if S::SYMMETRIC { block.solve(restitution, friction) } else { block.solve_apart(restitution, friction) };
-    if !(j.whole[0] + j.whole[1] + j.whole[2]).is_finite() {
+    if !j.is_finite() {
         return refuse();
     }
     Ok((j.to_block(), outcome))

@@ -116,28 +116,32 @@ impl<T: Scaled> Slip<T> {
     #[inline(always)]
     fn at(&self, place: Place<T>) -> Sliding<T> {
         let ([x, y], length) = self.numerator(place);
-        Sliding { direction: [x / length, y / length], friction: place.t * length / (self.m * self.denominator(place)) }
+        // Nothing slides, nothing rubs.
+        let length_or_one = if length > T::ZERO { length } else { T::ONE };
+        let direction = [x / length_or_one, y / length_or_one];
+        Sliding { direction, friction: place.t * length / (self.m * self.denominator(place)) }
     }
 
     /// The friction at which the points stick, if friction at its limit is no less.
     #[inline(always)]
     pub fn sticking(&self) -> Option<Sliding<T>> {
-        let (value, _) = self.excess(Place::STUCK);
+        let (value, _, _) = self.excess(Place::STUCK);
         if value <= T::ZERO { Some(self.at(Place::STUCK)) } else { None }
     }
 
-    /// Left side minus right side, and its derivative.
+    /// Left side minus right side, its derivative, and the frictionless part of the right side.
     #[inline(always)]
-    fn excess(&self, place: Place<T>) -> (T, T) {
+    fn excess(&self, place: Place<T>) -> (T, T, T) {
         let Place { t, rest } = place;
         let (n, length) = self.numerator(place);
         let along = dot2(self.coupling, n);
-        let value = t * (length - along) - self.load * self.denominator(place);
+        let free = self.load * self.denominator(place);
+        let value = t * (length - along) - free;
         // Half of dD/dt
         let half = t * self.determinant - rest + T::from_parts(1, -1) * self.trace * (rest - t);
         let slope =
             length - along + t * (dot2(n, self.p) / length - dot2(self.coupling, self.p)) - self.load * (half + half);
-        (value, slope)
+        (value, slope, free)
     }
 }
 
@@ -152,8 +156,9 @@ pub(super) fn sliding<T: Scaled>(slip: &Slip<T>) -> Sliding<T> {
     }
     // After a small step of Newton's its square, or some of that, is left.
     let tolerance = T::from_parts(1, -5) * T::EPSILON;
+    let noise = T::EPSILON * T::EPSILON;
     for _ in 0..MAX_SLIP_ITERATIONS {
-        let (value, slope) = slip.excess(place);
+        let (value, slope, free) = slip.excess(place);
         if value < T::ZERO {
             low = place;
         } else {
@@ -162,11 +167,14 @@ pub(super) fn sliding<T: Scaled>(slip: &Slip<T>) -> Sliding<T> {
         let step = value / slope;
         let next = place.moved_back(step);
         let size = place.t * place.rest;
-        if step * step <= tolerance * (size * size) {
+        let inside = next.is_between(low, high);
+        // Or the two sides are equal, as far as can be told.
+        let equal = value * value <= noise * (free * free);
+        if step * step <= tolerance * (size * size) || (equal && inside) {
             place = next;
             break;
         }
-        place = if next.is_between(low, high) { next } else { low.middle(high) };
+        place = if inside { next } else { low.middle(high) };
     }
     slip.at(place)
 }

@@ -120,7 +120,8 @@ pub(super) fn inverse_mass(inv_masses: [Scaled32; 2], arms: [&Arm32; 2]) -> ([i3
     let down = unit.wrapping_sub(top).wrapping_add(60);
     let least = if down > 31 { far_mass(masses, down) } else { shift_right((masses as i64) << 30, down as u32) };
     let [xx, xy, xz, yy, yz, zz] = inverse_mass_sums(a, b, r, least);
-    let largest = max(max((xx >> 32) as i32, (yy >> 32) as i32), (zz >> 32) as i32) | 1;
+    // Cut off, an element beside the diagonal can be the largest by a unit or two.
+    let largest = max(max(high(xx), high(yy)), high(zz)).wrapping_add(2) | 1;
     let up = leading_zeros(largest as u32).wrapping_sub(1);
     let k = [
         shift_left(xx, up),
@@ -190,7 +191,7 @@ const fn rounded(x: i64, up: u32) -> i32 {
     (shift_left(x, up) >> 1).wrapping_add(1) >> 1
 }
 
-/// The leading zeros of two vectors, of which the products of components have as many, less two.
+/// The leading zeros of two vectors: products of components have as many.
 #[inline(always)]
 fn room(w: [i32; 3], r: [i32; 3]) -> u32 {
     leading_zeros(magnitude(w)).wrapping_add(leading_zeros(magnitude(r)))

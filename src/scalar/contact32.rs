@@ -6,12 +6,10 @@
 //! in Q2.30 are written `times30` and `dot30`; where it is not plain, the bound that keeps a result within 32 bits stands
 //! beside it.
 
-use super::integer::{leading_zeros, long_quotient};
+use super::integer::{leading_zeros, leading_zeros64, long_quotient};
 use super::product::{dot, dot2, product};
 use super::slip32::Slip32;
-use super::wide::{
-    dot30, high, inverse, leading_zeros64, leading32, magnitude, max, min, minus, narrow, plus30, shift_left, times30,
-};
+use super::wide::{dot30, high, inverse, leading32, magnitude, max, min, minus, narrow, plus30, shift_left, times30};
 
 /// An impulse in units of 2^exponent: along the normal, across it, and the whole. Its length is within 2^30.5 where the points
 /// slide, and its components within 2^30 where they stick.
@@ -75,7 +73,7 @@ impl Contact32 {
         if determinant < 1 << LEAST_DETERMINANT {
             return None;
         }
-        let zeros = leading_zeros64(determinant);
+        let zeros = leading_zeros64(determinant as u64);
         let over = inverse(leading32(determinant, zeros));
         let v = plus30(self.velocity, n, bounce);
         // |v| < 2^30.8, and a row of the adjugate is below 2^31.8.
@@ -167,7 +165,7 @@ impl Contact32 {
         if yields < (nn as i64) << 27 {
             return None;
         }
-        let zeros = leading_zeros64(yields);
+        let zeros = leading_zeros64(yields as u64);
         let b_zeros = leading_zeros(b.unsigned_abs());
         let quotient = long_quotient(b.unsigned_abs().wrapping_shl(b_zeros), leading32(yields, zeros));
         // The whole within 2^30.5.

@@ -7,7 +7,7 @@ use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30, U31};
 use super::Scalar;
 use super::arm32::{self, Arm32};
 use super::contact32::{Contact32, Impulse32};
-use super::integer::{round_shift, round_sqrt, wide_quotient};
+use super::integer::{leading_zeros, round_shift, round_sqrt, wide_quotient};
 use super::lever32::{self, Lever32};
 use super::product::{dot, product};
 use super::scaled32::Scaled32;
@@ -38,7 +38,7 @@ fn end_of_range(p: i64, q: i64, r: i64) -> i32 {
 /// The places by which a vector can move left so that its components stay within 29 bits: -2 to 29.
 #[inline(always)]
 const fn headroom(v: [i32; 3]) -> i32 {
-    (magnitude(v).leading_zeros() as i32).wrapping_sub(3)
+    (leading_zeros(magnitude(v)) as i32).wrapping_sub(3)
 }
 
 #[inline(always)]

@@ -197,7 +197,7 @@ macro_rules! float_scalar {
             ) -> Result<Self, (Self, Self)> {
                 let (speed, k) = (Self::parting_speed(v, d, levers), Self::inverse_mass(inv_masses, levers));
                 let j = Self::rebound(restitution, speed, k);
-                if crate::scalar::Scaled::is_impulse(j) { Ok(j) } else { Err((speed, k)) }
+                if crate::scalar::Scaled::is_positive(j) { Ok(j) } else { Err((speed, k)) }
             }
 
             #[inline(always)]
@@ -328,7 +328,7 @@ macro_rules! float_scalar {
             }
 
             #[inline(always)]
-            fn is_impulse(self) -> bool {
+            fn is_positive(self) -> bool {
                 // From one unit of the last place to the largest number: the bits as an integer, less one.
                 $bits(self).wrapping_sub(1) < $bits($one / $zero) - 1
             }

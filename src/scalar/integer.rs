@@ -34,6 +34,13 @@ pub(crate) const fn leading_zeros(mut x: u32) -> u32 {
     zeros.wrapping_add(OF_FOUR[(x >> 28) as usize] as u32)
 }
 
+/// The leading zeros of a number above zero.
+#[inline(always)]
+pub(crate) const fn leading_zeros64(x: u64) -> u32 {
+    let (high, low) = ((x >> 32) as u32, x as u32);
+    if high == 0 { leading_zeros(low).wrapping_add(32) } else { leading_zeros(high) }
+}
+
 /// `x / 2^s` rounded. `s` in `0..=62`; |x| < 2^63 - 2^(s-1).
 #[inline(always)]
 pub(crate) const fn round_shift(x: i64, s: u32) -> i64 {
@@ -125,7 +132,7 @@ pub(crate) fn wide_quotient(n: u32, d: u32, shift: u32) -> Option<u32> {
         return Some(0);
     }
     let wide = (n as u64).wrapping_shl(shift);
-    let (n_zeros, d_zeros) = (n.leading_zeros(), d.leading_zeros());
+    let (n_zeros, d_zeros) = (leading_zeros(n), leading_zeros(d));
     // floor(log2) of the quotient, or one more.
     let magnitude = shift as i32 + d_zeros as i32 - n_zeros as i32;
     if magnitude > 31 {
@@ -206,7 +213,7 @@ fn floor_sqrt(x: u64) -> u32 {
     if x == 0 {
         return 0;
     }
-    let places = x.leading_zeros() & 62;
+    let places = leading_zeros64(x) & 62;
     let n = x.wrapping_shl(places);
     // n / 2^64 in [1/4, 1).
     let a = (n >> 32) as u32;

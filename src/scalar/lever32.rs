@@ -63,8 +63,9 @@ impl Lever32 {
         let product = if product < 0 { 0 } else { product };
         let zeros = leading_zeros((product >> 32) as u32 | 1);
         let inverse_mass = shift_left(product, zeros) as u32 >> 2;
-        let inverse_mass_exponent =
-            cross_exponent.wrapping_add(turn_exponent).wrapping_add(4).wrapping_sub(zeros as i32);
+        // As an arm of no length: what is zero has no say either.
+        let of_product = cross_exponent.wrapping_add(turn_exponent).wrapping_add(4).wrapping_sub(zeros as i32);
+        let inverse_mass_exponent = if inverse_mass == 0 { Scaled32::LOWEST } else { of_product };
         Self { turn: [x, y, z], turn_exponent, inverse_mass, inverse_mass_exponent, spin, cross_exponent }
     }
 
@@ -140,7 +141,7 @@ pub(super) fn approach_impulse(
     };
     let (k, k_exponent) = inverse_mass_sum(inv_masses, levers);
     if speed >= 0 || k == 0 {
-        return Err((Scaled32::new(speed, exponent), Scaled32::new(k as i64, k_exponent)));
+        return Err((Scaled32::new(speed, exponent), Scaled32::new(k as i64, k_exponent.wrapping_sub(30))));
     }
     // The leading 32 bits of the speed, of which there are more.
     let speed = speed.wrapping_neg();
@@ -149,7 +150,7 @@ pub(super) fn approach_impulse(
     Ok(Scaled32::leading_quotient((n, exponent.wrapping_sub(zeros as i32).wrapping_add(64)), (k, k_exponent)))
 }
 
-/// The same for arms of any length, and for the slowest speeds: nothing is cut off before the terms are added.
+/// What [`near_speed`] adds up, for arms of any length and the slowest speeds: nothing is cut off before the terms are added.
 #[cold]
 #[inline(never)]
 fn far_parting_speed(linear: i64, [a, b]: [&Lever32; 2], frac: i32) -> Scaled32 {

@@ -2,7 +2,7 @@
 //!
 //! On Cortex-M an island of `unsafe`: left to itself, the compiler often no longer sees that a factor has 32 bits and makes
 //! four instructions of one (Armv7-M), or calls a 64-bit multiplication (Armv6-M). The instructions take and give numbers in
-//! registers and compute what `portable` does; `examples/products.rs` compares the two on the board.
+//! registers and compute what `portable` does; `examples/products.rs` compares sums of products, and products of them, with 128-bit arithmetic on the board.
 
 #[cfg(multiply = "long")]
 use long::{add_product, multiply};

@@ -6,9 +6,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use fixed::types::I2F30;
 
 use super::Scaled;
-use super::integer::{high_product, leading_zeros, long_quotient, quotient, round_shift, round_sqrt};
+use super::integer::{high_product, leading_zeros, leading_zeros64, long_quotient, quotient, round_shift, round_sqrt};
 use super::product::unsigned_product;
-use super::wide::leading_zeros64;
 
 /// A number `mantissa * 2^(exponent - 30)` whose mantissa has 30 bits (2^29 <= |mantissa| < 2^30), or zero.
 ///
@@ -157,7 +156,7 @@ pub(crate) const fn shift_product(x: i64, down: i32) -> i64 {
         if down > 61 { 0 } else { round_shift(x, down as u32) }
     } else {
         let up = down.unsigned_abs();
-        let zeros = leading_zeros64(x.wrapping_abs());
+        let zeros = leading_zeros64(x.unsigned_abs());
         if x == 0 {
             0
         } else if up.wrapping_add(2) >= zeros {
@@ -281,7 +280,7 @@ impl Scaled for Scaled32 {
     }
 
     #[inline(always)]
-    fn is_impulse(self) -> bool {
+    fn is_positive(self) -> bool {
         self.mantissa > 0
     }
 

@@ -88,7 +88,7 @@ fn from_large<Frac>(x: Scaled32) -> (FixedI32<Frac>, bool)
 where
     Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
 {
-    let add = if is_rare(Frac::U32) { added } else { sum };
+    let add = if is_rare(Frac::U32) { sum_apart } else { sum };
     let (bits, met) = add(0, x.mantissa() as i64, 30i32.wrapping_sub(x.exponent()).wrapping_sub(Frac::I32));
     (FixedI32::from_bits(bits), met)
 }
@@ -107,7 +107,7 @@ const fn is_rare(frac: u32) -> bool {
 /// The same sum outside the caller.
 #[cold]
 #[inline(never)]
-const fn added(x: i32, change: i64, down: i32) -> (i32, bool) {
+const fn sum_apart(x: i32, change: i64, down: i32) -> (i32, bool) {
     sum(x, change, down)
 }
 
@@ -120,7 +120,7 @@ where
 {
     let down = 60i32.wrapping_sub(Frac::I32).wrapping_sub(exponent);
     let bits = bits_of(x);
-    let add = if is_rare(Frac::U32) { added } else { sum };
+    let add = if is_rare(Frac::U32) { sum_apart } else { sum };
     let (x0, met0) = add(bits[0], product(d[0], k), down);
     let (x1, met1) = add(bits[1], product(d[1], k), down);
     let (x2, met2) = add(bits[2], product(d[2], k), down);

@@ -3,7 +3,7 @@
 use fixed::FixedI32;
 use fixed::types::I2F30;
 
-use super::integer::{leading_zeros, long_quotient};
+use super::integer::long_quotient;
 use super::product::{dot, product};
 use crate::math::Vec3;
 
@@ -49,13 +49,6 @@ pub(super) fn bits(v: &Vec3<I2F30>) -> [i32; 3] {
 #[inline(always)]
 pub(super) fn high(x: i64) -> i32 {
     (x >> 32) as i32
-}
-
-/// The leading zeros of a number above zero.
-#[inline(always)]
-pub(super) const fn leading_zeros64(x: i64) -> u32 {
-    let (high, low) = ((x >> 32) as u32, x as u32);
-    if high == 0 { leading_zeros(low).wrapping_add(32) } else { leading_zeros(high) }
 }
 
 /// The leading 32 bits of a positive number, for the number of its leading zeros.
