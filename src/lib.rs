@@ -64,6 +64,7 @@
 
 mod aabb;
 mod body;
+mod broad_phase;
 mod contact;
 mod error;
 mod hash;
@@ -72,11 +73,13 @@ mod manifold;
 mod mass;
 mod math;
 mod narrow_phase;
+mod query;
 mod scalar;
 mod shape;
 
 pub use aabb::Aabb;
 pub use body::Body;
+pub use broad_phase::{PairSink, Pairs, SweepAndPrune};
 pub use contact::{Contact, Material, RestitutionLaw};
 pub use error::{
     BodyError, ContactError, DirectionError, MassError, MaterialError, OrientationError, RangeError, ShapeError,
@@ -86,6 +89,7 @@ pub use hash::StateHash;
 pub use manifold::{FeatureId, Manifold, ManifoldPoint};
 pub use mass::{MassProperties, Solid};
 pub use math::{Block, BlockImpulse, Mat3, Pose, Quat, SymBlock, SymMat3, UnitVec3, Vec3};
+pub use query::{Ray, RayHit, SurfacePoint};
 #[cfg(feature = "fixed")]
 pub use scalar::Scaled32;
 pub use scalar::{Scalar, Scaled};

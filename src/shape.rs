@@ -7,6 +7,7 @@
 use crate::aabb::Aabb;
 use crate::manifold::Manifold;
 use crate::math::{Pose, UnitVec3, Vec3};
+use crate::query::{Ray, RayHit, SurfacePoint};
 use crate::scalar::Scalar;
 
 mod capsule;
@@ -28,6 +29,12 @@ pub trait Shape<S: Scalar>: Copy {
     /// The radius of a ball that fits into the shape: the size that tolerances are relative to. [`Scalar::LARGEST`] for what
     /// has no other side.
     fn inner_radius(&self) -> S;
+
+    /// Where a ray meets the shape first.
+    fn cast_ray(&self, pose: &Pose<S>, ray: &Ray<S>) -> Option<RayHit<S>>;
+
+    /// The point of the surface that is closest to that point of the world. `None` of a height field, beside it.
+    fn closest_point(&self, pose: &Pose<S>, point: Vec3<S>) -> Option<SurfacePoint<S>>;
 }
 
 /// Where two shapes touch, or are about to. Implemented for every pair of shapes, in both orders, with the same result

@@ -7,6 +7,8 @@ mod host;
 mod random;
 #[path = "support/scalars.rs"]
 mod scalars;
+#[path = "support/solids.rs"]
+mod solids;
 #[allow(dead_code)]
 #[path = "../examples/validate/tool/mod.rs"]
 mod tool;
@@ -17,48 +19,10 @@ use carom::{Collide, Manifold, Pose, Vec3};
 use host::HostScalar;
 use random::Random;
 use scalars::NUMBERS;
+use solids::{PAIRS, height, orientation, round, shape, times};
 use tool::geometry::{Placed, Shape, Solid};
 use tool::number::Job;
 use tool::vector::{Vector, add, cross, dot, norm, rotation, scale, sub};
-
-/// Every pair that can meet.
-const PAIRS: [(usize, usize); 9] = [(0, 0), (0, 1), (0, 2), (0, 3), (1, 1), (1, 2), (1, 3), (2, 2), (2, 3)];
-
-fn shape(kind: usize, random: &mut Random) -> Shape {
-    let mut size = || random.between(0.05, 1.0);
-    match kind {
-        0 => Shape::Sphere { radius: size() },
-        1 => Shape::Capsule { radius: size(), half: size() },
-        2 => Shape::Box { half: [size(), size(), size()] },
-        _ => Shape::Plane,
-    }
-}
-
-fn orientation(random: &mut Random) -> [f64; 4] {
-    if random.one_in(5) {
-        return [1.0, 0.0, 0.0, 0.0];
-    }
-    let q: [f64; 4] = std::array::from_fn(|_| random.between(-1.0, 1.0));
-    let length = q.iter().map(|x| x * x).sum::<f64>().sqrt();
-    q.map(|x| x / length)
-}
-
-/// How far outside the shape a point is, negative inside: by the closed forms, in f64.
-fn height(placed: &Placed, point: Vector) -> f64 {
-    let r = rotation(placed.orientation);
-    let way = sub(point, placed.position);
-    let p = [0, 1, 2].map(|k| r[0][k] * way[0] + r[1][k] * way[1] + r[2][k] * way[2]);
-    match placed.shape {
-        Shape::Sphere { radius } => norm(p) - radius,
-        Shape::Box { half } => {
-            let beyond = [0, 1, 2].map(|k| p[k].abs() - half[k]);
-            let inside = beyond[0].max(beyond[1]).max(beyond[2]).min(0.0);
-            norm(beyond.map(|x| x.max(0.0))) + inside
-        }
-        Shape::Capsule { radius, half } => norm([p[0], p[1], p[2] - p[2].clamp(-half, half)]) - radius,
-        Shape::Plane => p[2],
-    }
-}
 
 /// The kernel's view of two shapes.
 struct Scene<S: HostScalar>([(Solid<S>, Pose<S>); 2]);
@@ -91,20 +55,10 @@ fn normal<S: HostScalar>(manifold: &Manifold<S>) -> Vector {
 
 /// Two shapes nearly touching, in numbers that every format holds exactly.
 fn touching<S: HostScalar>((a, b): (usize, usize), random: &mut Random) -> [Placed; 2] {
-    let round = |v: Vector| v.map(|x| (x * 65536.0).round() / 65536.0);
-    let sized = |kind, random: &mut Random| match shape(kind, random) {
-        Shape::Sphere { radius } => Shape::Sphere { radius: round([radius; 3])[0] },
-        Shape::Capsule { radius, half } => {
-            let [radius, half, _] = round([radius, half, 0.0]);
-            Shape::Capsule { radius, half }
-        }
-        Shape::Box { half } => Shape::Box { half: round(half) },
-        Shape::Plane => Shape::Plane,
-    };
     let position = round([0, 1, 2].map(|_| random.between(-1.0, 1.0)));
-    let first = Placed { shape: sized(a, random), position, orientation: orientation(random) };
+    let first = Placed { shape: shape(a, random), position, orientation: orientation(random) };
     let start = add(position, scale(3.0, random.direction()));
-    let mut second = Placed { shape: sized(b, random), position: round(start), orientation: orientation(random) };
+    let mut second = Placed { shape: shape(b, random), position: round(start), orientation: orientation(random) };
     let wanted = random.between(-0.02, 0.02);
     for _ in 0..20 {
         let [(a, pose_a), (b, pose_b)] = Scene::<S>::new(&[first, second]).0;
@@ -291,13 +245,6 @@ impl Job for Turned {
         println!("{others} of {compared} otherwise");
         assert!(compared > 1500 && others * 50 < compared, "{others} of {compared}");
     }
-}
-
-/// The product of quaternions.
-fn times([a, b, c, d]: [f64; 4], [e, f, g, h]: [f64; 4]) -> [f64; 4] {
-    let (v, w) = ([b, c, d], [f, g, h]);
-    let [x, y, z] = add(add(scale(a, w), scale(e, v)), cross(v, w));
-    [a * e - dot(v, w), x, y, z]
 }
 
 #[test]

@@ -34,7 +34,7 @@ impl<S: Scalar> Cores<S> {
         let half = separation.lowered_by(1);
         let point = ManifoldPoint {
             r_a: self.from_a + Vec3::of_length(a.plus(half), normal),
-            r_b: self.from_b() - Vec3::of_length(b.plus(half), normal),
+            r_b: self.b_point() - Vec3::of_length(b.plus(half), normal),
             separation,
             feature: FeatureId(0),
         };
@@ -49,13 +49,13 @@ impl<S: Scalar> Cores<S> {
             normal: UnitVec3::from_unit(normal),
             separation: length.minus(a).minus(b),
             r_a: self.from_a + Vec3::of_length(a, normal),
-            r_b: self.from_b() - Vec3::of_length(b, normal),
+            r_b: self.b_point() - Vec3::of_length(b, normal),
         }
     }
 
     /// From B's origin to its point.
     #[inline(always)]
-    fn from_b(&self) -> Vec3<S> {
+    fn b_point(&self) -> Vec3<S> {
         (self.from_a + self.gap) - self.d
     }
 

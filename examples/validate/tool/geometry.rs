@@ -6,8 +6,10 @@ mod shape;
 use std::fmt::Write;
 use std::path::Path;
 
-pub use self::checker::{Checker, Kernel, Pair, kernel};
-pub use self::shape::{Placed, Shape, Solid};
+#[allow(unused_imports)] // Tests have a use for all of them.
+pub use self::checker::{Checker, Found, Kernel, Pair, kernel};
+#[allow(unused_imports)] // Tests have a use for all of them.
+pub use self::shape::{Placed, Shape, Solid, separation};
 
 use super::error::{Error, Result};
 use super::number::{Job, Number};
