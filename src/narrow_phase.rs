@@ -4,8 +4,8 @@
 //! one of the shapes: the positions are subtracted first, so that far from the origin nothing is lost but what the positions
 //! themselves lack.
 
-use crate::manifold::{FeatureId, Manifold, ManifoldPoint};
-use crate::math::{Pose, UnitVec3, Vec3};
+use crate::manifold::{FeatureId, ManifoldPoint};
+use crate::math::{Pose, Vec3};
 use crate::scalar::Scalar;
 use crate::shape::{Capsule, Closest, Collide, Cuboid, HalfSpace, ManifoldSink, Sphere};
 
@@ -37,8 +37,11 @@ macro_rules! pair {
                 margin: S,
                 sink: &mut K,
             ) {
-                if let Some(manifold) = $file::manifold((self, pose), (other, other_pose), margin) {
-                    sink.push(0, &manifold);
+                let place = sink.place();
+                place.clear();
+                $file::manifold((self, pose), (other, other_pose), margin, place);
+                if !place.is_empty() {
+                    sink.take(0);
                 }
             }
 
@@ -61,8 +64,12 @@ macro_rules! pair {
                 margin: S,
                 sink: &mut K,
             ) {
-                if let Some(manifold) = $file::manifold((other, other_pose), (self, pose), margin) {
-                    sink.push(0, &manifold.swapped());
+                let place = sink.place();
+                place.clear();
+                $file::manifold((other, other_pose), (self, pose), margin, place);
+                if !place.is_empty() {
+                    place.swap();
+                    sink.take(0);
                 }
             }
 
@@ -115,14 +122,6 @@ fn above<S: Scalar>(pose: &Pose<S>, (plane, plane_pose): Placed<'_, S, HalfSpace
 #[inline(always)]
 fn point<S: Scalar>(r: Vec3<S>, d: Vec3<S>, separation: S, feature: u16) -> ManifoldPoint<S> {
     ManifoldPoint { r_a: r, r_b: r - d, separation, feature: FeatureId(feature) }
-}
-
-/// A manifold of one point.
-#[inline(always)]
-fn single<S: Scalar>(normal: Vec3<S::Unit>, point: ManifoldPoint<S>) -> Manifold<S> {
-    let mut manifold = Manifold::empty(UnitVec3::from_unit(normal));
-    manifold.push(point);
-    manifold
 }
 
 /// The components with that axis first: a rotation of the frame that keeps its handedness.

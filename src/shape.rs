@@ -82,19 +82,25 @@ impl<S: Scalar> Closest<S> {
     }
 }
 
-/// What takes the manifolds of a pair of shapes: a world's table of contacts.
+/// What takes the manifolds of a pair of shapes: a world's table of contacts. A [`Manifold`] itself keeps the last one, which
+/// is enough for a pair of convex shapes.
 pub trait ManifoldSink<S: Scalar> {
-    /// A manifold between those parts of the two shapes. `part` is zero for a pair of convex shapes; otherwise it tells the
-    /// parts apart, and is the same in the next step for the same ones.
-    fn push(&mut self, part: u32, manifold: &Manifold<S>);
+    /// Where the next manifold is to be made. What is there does not matter.
+    fn place(&mut self) -> &mut Manifold<S>;
+
+    /// There is a manifold in that place, with one point at least, between those parts of the two shapes. `part` is zero for a
+    /// pair of convex shapes; otherwise it tells the parts apart, and is the same in the next step for the same ones.
+    fn take(&mut self, part: u32);
 }
 
-/// Keeps the last one: enough for a pair of convex shapes.
-impl<S: Scalar> ManifoldSink<S> for Option<Manifold<S>> {
-    #[inline]
-    fn push(&mut self, _: u32, manifold: &Manifold<S>) {
-        *self = Some(*manifold);
+impl<S: Scalar> ManifoldSink<S> for Manifold<S> {
+    #[inline(always)]
+    fn place(&mut self) -> &mut Self {
+        self
     }
+
+    #[inline(always)]
+    fn take(&mut self, _: u32) {}
 }
 
 /// A dimension that a shape can have.

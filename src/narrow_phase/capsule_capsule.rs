@@ -18,8 +18,14 @@ pub(super) fn manifold<S: Scalar>(
     a: Placed<'_, S, Capsule<S>>,
     b: Placed<'_, S, Capsule<S>>,
     margin: S,
-) -> Option<Manifold<S>> {
-    if is_first(b.1.position - a.1.position) { ordered(a, b, margin) } else { Some(ordered(b, a, margin)?.swapped()) }
+    out: &mut Manifold<S>,
+) {
+    if is_first(b.1.position - a.1.position) {
+        ordered(a, b, margin, out);
+    } else {
+        ordered(b, a, margin, out);
+        out.swap();
+    }
 }
 
 pub(super) fn closest<S: Scalar>(a: Placed<'_, S, Capsule<S>>, b: Placed<'_, S, Capsule<S>>) -> Closest<S> {
@@ -66,29 +72,27 @@ impl<S: Scalar> Rods<S> {
     }
 }
 
-fn ordered<S: Scalar>(a: Placed<'_, S, Capsule<S>>, b: Placed<'_, S, Capsule<S>>, margin: S) -> Option<Manifold<S>> {
+fn ordered<S: Scalar>(a: Placed<'_, S, Capsule<S>>, b: Placed<'_, S, Capsule<S>>, margin: S, out: &mut Manifold<S>) {
     let rods = Rods::new(a, b);
-    let crossing = rods.cores().manifold(margin)?;
-    let Some(ends) = rods.shared() else { return Some(crossing) };
-    let normal = crossing.normal.get();
+    rods.cores().manifold(margin, out);
+    let Some(&crossing) = out.points().first() else { return };
+    let Some(ends) = rods.shared() else { return };
+    let normal = out.normal.get();
     let [radius_a, radius_b] = rods.radii;
-    let mut manifold = Manifold::empty(crossing.normal);
     let mut deepest = S::LARGEST;
+    out.clear();
     for (feature, s) in [(1, ends[0]), (2, ends[1])] {
         let from_a = rods.a.at(s);
         let gap = rods.b.at(rods.b.project(from_a)) - from_a;
         let separation = gap.along(normal).minus(radius_a).minus(radius_b);
         if separation <= margin {
             let r = from_a + Vec3::of_length(radius_a.plus(separation.lowered_by(1)), normal);
-            manifold.push(point(r, rods.b.middle, separation, feature));
+            out.push(point(r, rods.b.middle, separation, feature));
             deepest = min(deepest, separation);
         }
     }
     // Crossing at a small angle, they are deepest in between.
-    for &between in crossing.points() {
-        if between.separation.plus(min(radius_a, radius_b).lowered_by(DEEPER)) < deepest {
-            manifold.push(between);
-        }
+    if crossing.separation.plus(min(radius_a, radius_b).lowered_by(DEEPER)) < deepest {
+        out.push(crossing);
     }
-    Some(manifold)
 }

@@ -3,7 +3,7 @@
 use super::point_cuboid::nearest_face;
 use super::segment::Segment;
 use super::segment_cuboid::nearest;
-use super::{Placed, cycled, point, single};
+use super::{Placed, cycled, point};
 use crate::manifold::Manifold;
 use crate::math::{UnitVec3, Vec3, abs, max, min};
 use crate::scalar::Scalar;
@@ -65,36 +65,49 @@ pub(super) fn manifold<S: Scalar>(
     capsule: Placed<'_, S, Capsule<S>>,
     cuboid: Placed<'_, S, Cuboid<S>>,
     margin: S,
-) -> Option<Manifold<S>> {
+    out: &mut Manifold<S>,
+) {
     let (segment, d) = relative(capsule, cuboid);
     let (radius, half, pose) = (capsule.0.radius(), cuboid.0.half_extents(), cuboid.1);
     let (normal, height, place) = core(&segment, half);
     let separation = height.minus(radius);
     if separation > margin {
-        return None;
+        return;
     }
-    let place_at = |place: Vec3<S>, separation: S, down: Vec3<S::Unit>, feature: u16| {
+    if abs(segment.axis.dot(normal)) <= S::Unit::ONE.lowered_by(LYING) {
+        if let Some(face) = Face::along(normal) {
+            lying(&segment, face, (capsule, cuboid), margin, out);
+        }
+    }
+    if out.is_empty() {
+        let down = S::opposite(&pose.rotation.times(normal));
         let r = pose.rotate(place) + d + Vec3::of_length(radius.plus(separation.lowered_by(1)), down);
-        point(r, d, separation, feature)
-    };
-    let lies = abs(segment.axis.dot(normal)) <= S::Unit::ONE.lowered_by(LYING);
-    if let Some(face) = Face::along(normal).filter(|_| lies) {
-        let down = S::opposite(&pose.rotation.times(face.normal::<S>()));
-        let mut manifold = Manifold::empty(UnitVec3::from_unit(down));
-        let [low, high] = face.below(&segment, half).unwrap_or_default();
-        for (feature, s) in [(1, low), (2, high)] {
-            let end = segment.at(s);
-            let separation = face.height(end, half).minus(radius);
-            if separation <= margin && low < high {
-                manifold.push(place_at(end, separation, down, feature));
-            }
-        }
-        if let Some(manifold) = manifold.into_option() {
-            return Some(manifold);
+        out.begin(down);
+        out.push(point(r, d, separation, 0));
+    }
+}
+
+/// The ends of the part of the capsule that lies over a face.
+fn lying<S: Scalar>(
+    segment: &Segment<S>,
+    face: Face,
+    (capsule, cuboid): (Placed<'_, S, Capsule<S>>, Placed<'_, S, Cuboid<S>>),
+    margin: S,
+    out: &mut Manifold<S>,
+) {
+    let (radius, half, pose) = (capsule.0.radius(), cuboid.0.half_extents(), cuboid.1);
+    let Some([low, high]) = face.below(segment, half).filter(|[low, high]| low < high) else { return };
+    let d = pose.position - capsule.1.position;
+    let down = S::opposite(&pose.rotation.times(face.normal::<S>()));
+    out.begin(down);
+    for (feature, s) in [(1, low), (2, high)] {
+        let end = segment.at(s);
+        let separation = face.height(end, half).minus(radius);
+        if separation <= margin {
+            let r = pose.rotate(end) + d + Vec3::of_length(radius.plus(separation.lowered_by(1)), down);
+            out.push(point(r, d, separation, feature));
         }
     }
-    let down = S::opposite(&pose.rotation.times(normal));
-    Some(single(down, place_at(place, separation, down, 0)))
 }
 
 pub(super) fn closest<S: Scalar>(capsule: Placed<'_, S, Capsule<S>>, cuboid: Placed<'_, S, Cuboid<S>>) -> Closest<S> {

@@ -36,25 +36,27 @@ impl<S: Scalar, const N: usize> Polygon<S, N> {
         self.corners.get(..usize::from(self.len)).unwrap_or(&[])
     }
 
-    /// Keeps what lies inside one side of the face (Sutherland and Hodgman, 1974), whose number is `side`. A corner is that
-    /// far inside.
+    /// Keeps what lies inside one side of the face (Sutherland and Hodgman, 1974), whose number is `side`.
     #[inline(never)]
     pub fn cut(&mut self, side: u16, inside: impl Inside<S>) {
+        if self.corners().iter().all(|corner| inside.of(corner.place) >= S::ZERO) {
+            return;
+        }
         let whole = *self;
-        let Some(last) = whole.corners().last() else { return };
+        let Some(mut before) = whole.corners().last() else { return };
+        let mut before_in = inside.of(before.place);
         self.len = 0;
-        let (mut before, mut before_in) = (*last, inside.of(last.place));
         for corner in whole.corners() {
             let corner_in = inside.of(corner.place);
             match (before_in >= S::ZERO, corner_in >= S::ZERO) {
-                (true, false) => self.push(between(&before, corner, before_in, corner_in), side),
-                (false, true) => self.push(between(&before, corner, before_in, corner_in), before.edge),
+                (true, false) => self.push(between(before, corner, before_in, corner_in), side),
+                (false, true) => self.push(between(before, corner, before_in, corner_in), before.edge),
                 _ => {}
             }
             if corner_in >= S::ZERO {
                 self.push(corner.place, corner.edge);
             }
-            (before, before_in) = (*corner, corner_in);
+            (before, before_in) = (corner, corner_in);
         }
     }
 }
@@ -74,17 +76,22 @@ fn between<S: Scalar>(a: &Corner<S>, b: &Corner<S>, a_in: S, b_in: S) -> Vec3<S>
 }
 
 impl<S: Scalar, const N: usize> Polygon<S, N> {
-    /// The corners no higher than `margin`, each with the name of the edges that meet there: `bits` bits for each of the two.
-    pub fn named(&self, bits: u32, margin: S) -> Self {
-        let mut named = Self::EMPTY;
-        let Some(mut before) = self.corners().last() else { return named };
-        for corner in self.corners() {
-            if corner.place.z <= margin {
-                named.push(corner.place, before.edge.wrapping_shl(bits) | corner.edge);
+    /// Keeps the corners no higher than `margin`, each with the name of the edges that meet there: `bits` bits for each of the
+    /// two.
+    pub fn name(&mut self, bits: u32, margin: S) {
+        let Some(mut before) = self.corners().last().map(|corner| corner.edge) else { return };
+        let mut kept = 0usize;
+        for index in 0..usize::from(self.len) {
+            let Some(&Corner { place, edge }) = self.corners.get(index) else { continue };
+            if place.z <= margin {
+                if let Some(free) = self.corners.get_mut(kept) {
+                    *free = Corner { place, edge: before.wrapping_shl(bits) | edge };
+                }
+                kept = kept.wrapping_add(1);
             }
-            before = corner;
+            before = edge;
         }
-        named
+        self.len = kept as u8;
     }
 
     /// A bit for each of up to four corners that hold the others best: the deepest (of those as deep to within `tolerance` the

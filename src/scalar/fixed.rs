@@ -221,7 +221,7 @@ where
     #[inline(never)]
     fn direction3(v: [Self; 3]) -> Option<([I2F30; 3], Self)> {
         let bits = bits3(v);
-        if bits == [0; 3] {
+        if bits[0] | bits[1] | bits[2] == 0 {
             return None;
         }
         // The largest component has 30 bits, the sum of the squares 59 to 62.

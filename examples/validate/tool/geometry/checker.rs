@@ -1,6 +1,6 @@
 //! Asks the kernel for the distance of pair after pair, and keeps what is to be said about them.
 
-use carom::{Collide, Manifold, Pose, Vec3};
+use carom::{Collide, Manifold, Pose, UnitVec3, Vec3};
 
 use super::shape::{Placed, Solid, separation};
 use crate::host::HostScalar;
@@ -32,9 +32,9 @@ pub type Kernel<S> = fn([(Solid<S>, Pose<S>); 2]) -> Option<Found>;
 /// The kernel as it is.
 pub fn kernel<S: HostScalar>([(a, pose_a), (b, pose_b)]: [(Solid<S>, Pose<S>); 2]) -> Option<Found> {
     let closest = a.closest(&pose_a, &b, &pose_b)?;
-    let mut manifold: Option<Manifold<S>> = None;
+    let mut manifold = Manifold::empty(UnitVec3::Z);
     a.collide(&pose_a, &b, &pose_b, S::ZERO, &mut manifold);
-    let separations = manifold.iter().flat_map(Manifold::points).map(|point| point.separation.to_f64());
+    let separations = manifold.points().iter().map(|point| point.separation.to_f64());
     let Vec3 { x, y, z } = closest.normal.get();
     Some(Found {
         distance: closest.separation.to_f64(),
