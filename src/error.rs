@@ -80,6 +80,24 @@ errors! {
         HalfLength => "shape: the half length must be positive and finite; without length it is a sphere",
     }
 
+    /// Points that make no convex hull.
+    HullError {
+        /// Fewer than four corners.
+        TooFew => "hull: it takes four corners at least",
+        /// More than the hull has room for, or than 32.
+        TooMany => "hull: more points than there is room for, or than 32",
+        /// A coordinate is infinite or NaN.
+        NotFinite => "hull: a coordinate is not finite",
+        /// All points lie in a plane.
+        Flat => "hull: all points lie in a plane",
+        /// A face with more than 12 corners.
+        FaceCorners => "hull: a face has more than 12 corners",
+        /// In fixed point: less than 2048 units of the last place across.
+        TooSmall => "hull: it is less than 2048 units of the last place across; take smaller units of length",
+        /// Points nearly coincide or nearly lie in a plane, so that the faces do not close.
+        Unclear => "hull: points nearly coincide or nearly lie in a plane, and the faces do not close",
+    }
+
     /// A mass or inertia that no body has.
     MassError {
         /// Zero, negative or not finite, or so with the moments of inertia that go with it. A body that cannot move is

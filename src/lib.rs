@@ -82,8 +82,8 @@ pub use body::Body;
 pub use broad_phase::{PairSink, Pairs, SweepAndPrune};
 pub use contact::{Contact, Material, RestitutionLaw};
 pub use error::{
-    BodyError, ContactError, DirectionError, MassError, MaterialError, OrientationError, RangeError, ShapeError,
-    SolidError,
+    BodyError, ContactError, DirectionError, HullError, MassError, MaterialError, OrientationError, RangeError,
+    ShapeError, SolidError,
 };
 pub use hash::StateHash;
 pub use manifold::{FeatureId, Manifold, ManifoldPoint};
@@ -93,7 +93,10 @@ pub use query::{Ray, RayHit, SurfacePoint};
 #[cfg(feature = "fixed")]
 pub use scalar::Scaled32;
 pub use scalar::{Scalar, Scaled};
-pub use shape::{Capsule, Closest, Collide, Cuboid, HalfSpace, ManifoldSink, Shape, Sphere};
+pub use shape::{
+    Capsule, Closest, Collide, ConvexHull, Cuboid, HalfSpace, MAX_CORNERS, MAX_FACE_CORNERS, ManifoldSink, Shape,
+    Sphere,
+};
 
 // The README's example compiles and runs.
 #[cfg(all(doctest, feature = "f32"))]

@@ -7,32 +7,39 @@
 use crate::manifold::{FeatureId, ManifoldPoint};
 use crate::math::{Pose, Vec3};
 use crate::scalar::Scalar;
-use crate::shape::{Capsule, Closest, Collide, Cuboid, HalfSpace, ManifoldSink, Sphere};
+use crate::shape::{Capsule, Closest, Collide, ConvexHull, Cuboid, HalfSpace, ManifoldSink, Sphere};
 
 mod capsule_capsule;
 mod capsule_cuboid;
 mod capsule_half_space;
+mod capsule_hull;
 mod clip;
 mod cuboid_cuboid;
 mod cuboid_half_space;
+mod cuboid_hull;
+mod hull_half_space;
+mod hull_hull;
 mod point_cuboid;
+mod polytope;
+mod polytope_polytope;
 mod round;
 mod segment;
 mod segment_cuboid;
 mod sphere_capsule;
 mod sphere_cuboid;
 mod sphere_half_space;
+mod sphere_hull;
 mod sphere_sphere;
 
-/// The pair in both orders, by the functions of one file.
+/// The pair, by the functions of one file; `mirrored` in the other order, too. The brackets hold the parameters of the types.
 macro_rules! pair {
-    ($a:ident, $b:ident: $file:ident) => {
-        impl<S: Scalar> Collide<S, $b<S>> for $a<S> {
+    ([$($of:tt)*] $a:ty, $b:ty: $file:ident) => {
+        impl<$($of)* S: Scalar> Collide<S, $b> for $a {
             #[inline]
             fn collide<K: ManifoldSink<S>>(
                 &self,
                 pose: &Pose<S>,
-                other: &$b<S>,
+                other: &$b,
                 other_pose: &Pose<S>,
                 margin: S,
                 sink: &mut K,
@@ -46,20 +53,20 @@ macro_rules! pair {
             }
 
             #[inline]
-            fn closest(&self, pose: &Pose<S>, other: &$b<S>, other_pose: &Pose<S>) -> Option<Closest<S>> {
+            fn closest(&self, pose: &Pose<S>, other: &$b, other_pose: &Pose<S>) -> Option<Closest<S>> {
                 Some($file::closest((self, pose), (other, other_pose)))
             }
         }
     };
-    ($a:ident, $b:ident: $file:ident, mirrored) => {
-        pair!($a, $b: $file);
+    ([$($of:tt)*] $a:ty, $b:ty: $file:ident, mirrored) => {
+        pair!([$($of)*] $a, $b: $file);
 
-        impl<S: Scalar> Collide<S, $a<S>> for $b<S> {
+        impl<$($of)* S: Scalar> Collide<S, $a> for $b {
             #[inline]
             fn collide<K: ManifoldSink<S>>(
                 &self,
                 pose: &Pose<S>,
-                other: &$a<S>,
+                other: &$a,
                 other_pose: &Pose<S>,
                 margin: S,
                 sink: &mut K,
@@ -74,7 +81,7 @@ macro_rules! pair {
             }
 
             #[inline]
-            fn closest(&self, pose: &Pose<S>, other: &$a<S>, other_pose: &Pose<S>) -> Option<Closest<S>> {
+            fn closest(&self, pose: &Pose<S>, other: &$a, other_pose: &Pose<S>) -> Option<Closest<S>> {
                 Some($file::closest((other, other_pose), (self, pose)).swapped())
             }
         }
@@ -96,15 +103,20 @@ macro_rules! never {
     };
 }
 
-pair!(Sphere, Sphere: sphere_sphere);
-pair!(Sphere, HalfSpace: sphere_half_space, mirrored);
-pair!(Sphere, Cuboid: sphere_cuboid, mirrored);
-pair!(Sphere, Capsule: sphere_capsule, mirrored);
-pair!(Cuboid, Cuboid: cuboid_cuboid);
-pair!(Cuboid, HalfSpace: cuboid_half_space, mirrored);
-pair!(Capsule, Capsule: capsule_capsule);
-pair!(Capsule, Cuboid: capsule_cuboid, mirrored);
-pair!(Capsule, HalfSpace: capsule_half_space, mirrored);
+pair!([] Sphere<S>, Sphere<S>: sphere_sphere);
+pair!([] Sphere<S>, HalfSpace<S>: sphere_half_space, mirrored);
+pair!([] Sphere<S>, Cuboid<S>: sphere_cuboid, mirrored);
+pair!([] Sphere<S>, Capsule<S>: sphere_capsule, mirrored);
+pair!(['a, const N: usize,] Sphere<S>, &'a ConvexHull<S, N>: sphere_hull, mirrored);
+pair!([] Cuboid<S>, Cuboid<S>: cuboid_cuboid);
+pair!([] Cuboid<S>, HalfSpace<S>: cuboid_half_space, mirrored);
+pair!(['a, const N: usize,] Cuboid<S>, &'a ConvexHull<S, N>: cuboid_hull, mirrored);
+pair!([] Capsule<S>, Capsule<S>: capsule_capsule);
+pair!([] Capsule<S>, HalfSpace<S>: capsule_half_space, mirrored);
+pair!([] Capsule<S>, Cuboid<S>: capsule_cuboid, mirrored);
+pair!(['a, const N: usize,] Capsule<S>, &'a ConvexHull<S, N>: capsule_hull, mirrored);
+pair!(['a, 'b, const M: usize, const N: usize,] &'a ConvexHull<S, M>, &'b ConvexHull<S, N>: hull_hull);
+pair!(['a, const N: usize,] &'a ConvexHull<S, N>, HalfSpace<S>: hull_half_space, mirrored);
 never!(HalfSpace, HalfSpace);
 
 /// A shape where it is.
@@ -143,4 +155,10 @@ fn is_first<S: Scalar>(d: Vec3<S>) -> bool {
     let side = d.x.plus(d.y.plus(d.z.lowered_by(2)).lowered_by(2));
     let zero = S::ZERO;
     side > zero || (side == zero && (d.z > zero || (d.z == zero && d.y >= zero)))
+}
+
+/// Up to this, distances that were computed in different ways may be the same.
+#[inline(always)]
+fn noise<S: Scalar>(distance: S) -> S {
+    distance.lowered_by(22).plus(S::STEP).plus(S::STEP)
 }

@@ -5,6 +5,7 @@ use crate::scalar::{Scalar, Scaled};
 use crate::shape::{Collide, Sphere};
 
 mod capsule;
+mod convex_hull;
 mod cuboid;
 mod half_space;
 mod sphere;

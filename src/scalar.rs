@@ -79,6 +79,8 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     const ONE: Self;
     /// The largest number of the format.
     const LARGEST: Self;
+    /// The spacing of the format's numbers; zero in floating point, where it depends on the number.
+    const STEP: Self;
     /// Whether [`contact_impulse`](Self::contact_impulse) and what goes into it round alike for a number and its opposite.
     const SYMMETRIC: bool;
     /// Two to the zeroth.

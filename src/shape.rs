@@ -11,12 +11,14 @@ use crate::query::{Ray, RayHit, SurfacePoint};
 use crate::scalar::Scalar;
 
 mod capsule;
+mod convex_hull;
 mod cuboid;
 mod half_space;
 mod set;
 mod sphere;
 
 pub use self::capsule::Capsule;
+pub use self::convex_hull::{ConvexHull, MAX_CORNERS, MAX_FACE_CORNERS};
 pub use self::cuboid::Cuboid;
 pub use self::half_space::HalfSpace;
 pub use self::sphere::Sphere;

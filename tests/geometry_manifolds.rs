@@ -25,11 +25,11 @@ use tool::number::Job;
 use tool::vector::{Vector, add, cross, dot, norm, rotation, scale, sub};
 
 /// The kernel's view of two shapes.
-struct Scene<S: HostScalar>([(Solid<S>, Pose<S>); 2]);
+struct Scene<S: HostScalar>([(Solid<'static, S>, Pose<S>); 2]);
 
 impl<S: HostScalar> Scene<S> {
     fn new(shapes: &[Placed; 2]) -> Self {
-        Self(shapes.map(|placed| placed.for_kernel().expect("it fits")))
+        Self(shapes.map(|placed| placed.for_kernel(None).expect("it fits")))
     }
 
     fn manifold(&self, margin: f64) -> Option<Manifold<S>> {

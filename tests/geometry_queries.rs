@@ -94,7 +94,7 @@ impl Job for Rays {
                     length: S::from_f64(length).expect("fits"),
                 };
                 let way = ray.direction.get().to_array().map(S::unit_to_f64);
-                let (solid, pose) = target.for_kernel::<S>().expect("it fits");
+                let (solid, pose) = target.for_kernel::<S>(None).expect("it fits");
                 let found = solid.cast_ray(&pose, &ray);
                 let expected = march(&target, origin, way, length);
                 // Where a ray grazes, or ends at the surface, rounding decides.
@@ -157,7 +157,7 @@ impl Job for ClosestPoints {
             for _ in 0..1000 {
                 let target = placed(kind, &mut random);
                 let point = round(add(target.position, scale(random.between(0.0, 2.0), random.direction())));
-                let (solid, pose) = target.for_kernel::<S>().expect("it fits");
+                let (solid, pose) = target.for_kernel::<S>(None).expect("it fits");
                 let found = solid.closest_point(&pose, vector(point)).expect("there is one");
                 let (right, tolerance) = (height(&target, point), allowance::<S>());
                 let separation = found.separation.to_f64();
@@ -191,7 +191,7 @@ impl Job for Overlaps {
         for (a, b) in PAIRS {
             for _ in 0..300 {
                 let shapes = [placed(a, &mut random), placed(b, &mut random)];
-                let [(a, pose_a), (b, pose_b)] = shapes.map(|placed| placed.for_kernel::<S>().expect("it fits"));
+                let [(a, pose_a), (b, pose_b)] = shapes.map(|placed| placed.for_kernel::<S>(None).expect("it fits"));
                 let closest = a.closest(&pose_a, &b, &pose_b).expect("they can meet");
                 let overlaps = a.overlaps(&pose_a, &b, &pose_b);
                 if closest.separation.to_f64().abs() > allowance::<S>() {
@@ -224,7 +224,7 @@ impl Job for Bounds {
         for kind in 0..3 {
             for _ in 0..500 {
                 let target = placed(kind, &mut random);
-                let (solid, pose) = target.for_kernel::<S>().expect("it fits");
+                let (solid, pose) = target.for_kernel::<S>(None).expect("it fits");
                 let Aabb { min, max } = solid.aabb(&pose);
                 for (axis, (low, high)) in read(min).into_iter().zip(read(max)).enumerate() {
                     let mut n = [0.0; 3];

@@ -1,11 +1,11 @@
 //! A capsule and a box: a point, or two where the capsule lies along a face.
 
 use super::point_cuboid::nearest_face;
-use super::segment::Segment;
+use super::segment::{Segment, cut};
 use super::segment_cuboid::nearest;
 use super::{Placed, cycled, point};
 use crate::manifold::Manifold;
-use crate::math::{UnitVec3, Vec3, abs, max, min};
+use crate::math::{UnitVec3, Vec3, abs};
 use crate::scalar::Scalar;
 use crate::shape::{Capsule, Closest, Cuboid};
 
@@ -165,18 +165,5 @@ impl Face {
             range = cut(range, h.plus(c), u.negated())?;
         }
         Some(range)
-    }
-}
-
-/// The part of the range with s u <= way.
-fn cut<S: Scalar>([low, high]: [S; 2], way: S, u: S::Unit) -> Option<[S; 2]> {
-    match (low.times_unit(u) <= way, high.times_unit(u) <= way) {
-        (true, true) => Some([low, high]),
-        (false, false) => None,
-        (keeps_low, _) => {
-            let (s, _) = S::from_scaled(way.to_scaled() / u.to_scaled());
-            let s = max(low, min(s, high));
-            Some(if keeps_low { [low, s] } else { [s, high] })
-        }
     }
 }

@@ -110,6 +110,7 @@ where
     const ZERO: Self = Self::from_bits(0);
     const ONE: Self = Self::from_bits(1 << Frac::U32);
     const LARGEST: Self = Self::from_bits(i32::MAX);
+    const STEP: Self = Self::from_bits(1);
     const SYMMETRIC: bool = false;
     const NO_EXPONENT: i32 = Scaled32::LOWEST;
 

@@ -78,6 +78,7 @@ macro_rules! float_scalar {
             const ZERO: Self = $zero;
             const ONE: Self = $one;
             const LARGEST: Self = $largest;
+            const STEP: Self = $zero;
             const SYMMETRIC: bool = true;
             const NO_EXPONENT: () = ();
 

@@ -29,6 +29,8 @@ pub struct Geometry<'a> {
     pub out: Option<&'a Path>,
     /// The same rows a thousand times smaller.
     pub millimetres: bool,
+    /// Which of the two shapes are computed as others that are equal to them: boxes as hulls, planes as flat height fields.
+    pub disguised: [bool; 2],
 }
 
 impl Job for Geometry<'_> {
@@ -44,6 +46,9 @@ impl Job for Geometry<'_> {
                 self.units().length
             );
         }
+        if self.disguised == [true; 2] {
+            text.push_str("boxes as hulls of their corners, planes as flat height fields\n");
+        }
         let Checker { rows, samples, not_representable, tied, failures, .. } = &checker;
         let _ = writeln!(
             text,
@@ -58,12 +63,16 @@ impl Job for Geometry<'_> {
         }
         failed(&mut text, failures);
         tables(&mut text, samples);
-        let exceeded = tolerances(&mut text, File::Geometry, self.number, samples);
+        let exceeded = tolerances(&mut text, self.kind(), self.number, samples);
         Ok(Report { text, problem: problem(failures.len(), exceeded) })
     }
 }
 
 impl Geometry<'_> {
+    fn kind(&self) -> File {
+        if self.disguised == [false; 2] { File::Geometry } else { File::Disguised }
+    }
+
     fn units(&self) -> Units {
         if self.millimetres { Units::of_millimetres(self.number) } else { Units::SI }
     }
@@ -73,7 +82,7 @@ impl Geometry<'_> {
         let header = ["id", "dist", "nx", "ny", "nz"];
         let mut output = self.out.map(|path| Output::create(path, self.file, &header)).transpose()?;
         let shrink = if self.millimetres { 1e-3 } else { 1.0 };
-        let mut checker = Checker::new(kernel, shrink, self.units().length);
+        let mut checker = Checker::new(kernel, self.disguised, shrink, self.units().length);
         read(self.file, |pair| match (checker.check(&pair), &mut output) {
             (Some(found), Some(output)) => {
                 let [x, y, z] = found.normal;

@@ -27,10 +27,10 @@ pub struct Found {
 }
 
 /// What is asked for a pair: in the kernel's own format and units.
-pub type Kernel<S> = fn([(Solid<S>, Pose<S>); 2]) -> Option<Found>;
+pub type Kernel<S> = fn([(Solid<'_, S>, Pose<S>); 2]) -> Option<Found>;
 
 /// The kernel as it is.
-pub fn kernel<S: HostScalar>([(a, pose_a), (b, pose_b)]: [(Solid<S>, Pose<S>); 2]) -> Option<Found> {
+pub fn kernel<S: HostScalar>([(a, pose_a), (b, pose_b)]: [(Solid<'_, S>, Pose<S>); 2]) -> Option<Found> {
     let closest = a.closest(&pose_a, &b, &pose_b)?;
     let mut manifold = Manifold::empty(UnitVec3::Z);
     a.collide(&pose_a, &b, &pose_b, S::ZERO, &mut manifold);
@@ -46,6 +46,8 @@ pub fn kernel<S: HostScalar>([(a, pose_a), (b, pose_b)]: [(Solid<S>, Pose<S>); 2
 /// All about the pairs so far, in one number type.
 pub struct Checker<S: HostScalar> {
     kernel: Kernel<S>,
+    /// Which of the two shapes are computed as others that are equal to them.
+    disguised: [bool; 2],
     /// The rows are made that much smaller, and computed in units of that length.
     shrink: f64,
     unit: f64,
@@ -64,16 +66,29 @@ const ANOTHER: f64 = 1e-3;
 const AS_GOOD: f64 = 4.0;
 
 impl<S: HostScalar> Checker<S> {
-    pub fn new(kernel: Kernel<S>, shrink: f64, unit: f64) -> Self {
-        Self { kernel, shrink, unit, rows: 0, samples: vec![], not_representable: 0, tied: vec![], failures: vec![] }
+    pub fn new(kernel: Kernel<S>, disguised: [bool; 2], shrink: f64, unit: f64) -> Self {
+        Self {
+            kernel,
+            disguised,
+            shrink,
+            unit,
+            rows: 0,
+            samples: vec![],
+            not_representable: 0,
+            tied: vec![],
+            failures: vec![],
+        }
     }
 
     /// What the kernel makes of the pair, in the size of the file; `None` where the format cannot hold it.
     pub fn check(&mut self, pair: &Pair) -> Option<Found> {
         self.rows += 1;
         let scale_to = self.shrink / self.unit;
-        let [a, b] = pair.shapes.map(|placed| placed.scaled(scale_to).for_kernel::<S>());
-        let (Some(a), Some(b)) = (a, b) else {
+        let shapes = pair.shapes.map(|placed| placed.scaled(scale_to));
+        let disguises = [0, 1].map(|k| if self.disguised[k] { shapes[k].disguise::<S>() } else { None });
+        let [a, b] = [0, 1].map(|k| shapes[k].for_kernel(disguises[k].as_ref()));
+        let unfit = (0..2).any(|k| self.disguised[k] && disguises[k].is_none());
+        let (Some(a), Some(b), false) = (a, b, unfit) else {
             self.not_representable += 1;
             return None;
         };
