@@ -80,6 +80,20 @@ errors! {
         HalfLength => "shape: the half length must be positive and finite; without length it is a sphere",
     }
 
+    /// Heights that make no field.
+    HeightFieldError {
+        /// Fewer than two columns or rows.
+        TooFew => "height field: it takes two columns and two rows at least",
+        /// Not a height for each column of each row.
+        Count => "height field: there must be a height for each column of each row",
+        /// More than 16,383 columns or rows.
+        TooMany => "height field: more than 16,383 columns or rows",
+        /// Zero, negative or not finite, or with it the field leaves the range of the format.
+        Spacing => "height field: the spacing must be positive and finite, and the field fit the format",
+        /// Infinite or NaN.
+        Height => "height field: a height is not finite",
+    }
+
     /// Points that make no convex hull.
     HullError {
         /// Fewer than four corners.

@@ -82,8 +82,8 @@ pub use body::Body;
 pub use broad_phase::{PairSink, Pairs, SweepAndPrune};
 pub use contact::{Contact, Material, RestitutionLaw};
 pub use error::{
-    BodyError, ContactError, DirectionError, HullError, MassError, MaterialError, OrientationError, RangeError,
-    ShapeError, SolidError,
+    BodyError, ContactError, DirectionError, HeightFieldError, HullError, MassError, MaterialError, OrientationError,
+    RangeError, ShapeError, SolidError,
 };
 pub use hash::StateHash;
 pub use manifold::{FeatureId, Manifold, ManifoldPoint};
@@ -94,8 +94,8 @@ pub use query::{Ray, RayHit, SurfacePoint};
 pub use scalar::Scaled32;
 pub use scalar::{Scalar, Scaled};
 pub use shape::{
-    Capsule, Closest, Collide, ConvexHull, Cuboid, HalfSpace, MAX_CORNERS, MAX_FACE_CORNERS, ManifoldSink, Shape,
-    Sphere,
+    Capsule, Closest, Collide, ConvexHull, Cuboid, HalfSpace, HeightField, MAX_CORNERS, MAX_FACE_CORNERS, ManifoldSink,
+    Shape, Sphere,
 };
 
 // The README's example compiles and runs.

@@ -7,7 +7,7 @@
 use crate::manifold::{FeatureId, ManifoldPoint};
 use crate::math::{Pose, Vec3};
 use crate::scalar::Scalar;
-use crate::shape::{Capsule, Closest, Collide, ConvexHull, Cuboid, HalfSpace, ManifoldSink, Sphere};
+use crate::shape::{Capsule, Closest, Collide, ConvexHull, Cuboid, HalfSpace, HeightField, ManifoldSink, Sphere};
 
 mod capsule_capsule;
 mod capsule_cuboid;
@@ -17,6 +17,7 @@ mod clip;
 mod cuboid_cuboid;
 mod cuboid_half_space;
 mod cuboid_hull;
+mod height_field;
 mod hull_half_space;
 mod hull_hull;
 mod point_cuboid;
@@ -90,13 +91,13 @@ macro_rules! pair {
 
 /// Shapes that stand still and never meet.
 macro_rules! never {
-    ($a:ident, $b:ident) => {
-        impl<S: Scalar> Collide<S, $b<S>> for $a<S> {
+    ([$($of:tt)*] $a:ty, $b:ty) => {
+        impl<$($of)* S: Scalar> Collide<S, $b> for $a {
             #[inline(always)]
-            fn collide<K: ManifoldSink<S>>(&self, _: &Pose<S>, _: &$b<S>, _: &Pose<S>, _: S, _: &mut K) {}
+            fn collide<K: ManifoldSink<S>>(&self, _: &Pose<S>, _: &$b, _: &Pose<S>, _: S, _: &mut K) {}
 
             #[inline(always)]
-            fn closest(&self, _: &Pose<S>, _: &$b<S>, _: &Pose<S>) -> Option<Closest<S>> {
+            fn closest(&self, _: &Pose<S>, _: &$b, _: &Pose<S>) -> Option<Closest<S>> {
                 None
             }
         }
@@ -117,7 +118,58 @@ pair!([] Capsule<S>, Cuboid<S>: capsule_cuboid, mirrored);
 pair!(['a, const N: usize,] Capsule<S>, &'a ConvexHull<S, N>: capsule_hull, mirrored);
 pair!(['a, 'b, const M: usize, const N: usize,] &'a ConvexHull<S, M>, &'b ConvexHull<S, N>: hull_hull);
 pair!(['a, const N: usize,] &'a ConvexHull<S, N>, HalfSpace<S>: hull_half_space, mirrored);
-never!(HalfSpace, HalfSpace);
+never!([] HalfSpace<S>, HalfSpace<S>);
+never!(['a,] HalfSpace<S>, HeightField<'a, S>);
+never!(['a,] HeightField<'a, S>, HalfSpace<S>);
+never!(['a, 'b,] HeightField<'a, S>, HeightField<'b, S>);
+
+/// Any shape and a height field, in both orders.
+macro_rules! over_field {
+    ([$($of:tt)*] $a:ty) => {
+        impl<$($of)* S: Scalar> Collide<S, HeightField<'f, S>> for $a {
+            #[inline]
+            fn collide<K: ManifoldSink<S>>(
+                &self,
+                pose: &Pose<S>,
+                other: &HeightField<'f, S>,
+                other_pose: &Pose<S>,
+                margin: S,
+                sink: &mut K,
+            ) {
+                height_field::collide((self, pose), (other, other_pose), margin, false, sink);
+            }
+
+            #[inline]
+            fn closest(&self, pose: &Pose<S>, other: &HeightField<'f, S>, other_pose: &Pose<S>) -> Option<Closest<S>> {
+                height_field::closest((self, pose), (other, other_pose))
+            }
+        }
+
+        impl<$($of)* S: Scalar> Collide<S, $a> for HeightField<'f, S> {
+            #[inline]
+            fn collide<K: ManifoldSink<S>>(
+                &self,
+                pose: &Pose<S>,
+                other: &$a,
+                other_pose: &Pose<S>,
+                margin: S,
+                sink: &mut K,
+            ) {
+                height_field::collide((other, other_pose), (self, pose), margin, true, sink);
+            }
+
+            #[inline]
+            fn closest(&self, pose: &Pose<S>, other: &$a, other_pose: &Pose<S>) -> Option<Closest<S>> {
+                height_field::closest((other, other_pose), (self, pose)).map(|closest| closest.swapped())
+            }
+        }
+    };
+}
+
+over_field!(['f,] Sphere<S>);
+over_field!(['f,] Cuboid<S>);
+over_field!(['f,] Capsule<S>);
+over_field!(['f, 'a, const N: usize,] &'a ConvexHull<S, N>);
 
 /// A shape where it is.
 type Placed<'a, S, T> = (&'a T, &'a Pose<S>);

@@ -8,6 +8,7 @@ mod capsule;
 mod convex_hull;
 mod cuboid;
 mod half_space;
+mod height_field;
 mod sphere;
 
 /// A straight way in the world.

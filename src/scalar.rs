@@ -171,6 +171,13 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     #[must_use]
     fn lowered_by(self, places: u32) -> Self;
 
+    /// `self n`.
+    #[must_use]
+    fn times_integer(self, n: i32) -> Self;
+
+    /// The largest integer that is not above the number, within +-2^30.
+    fn floor(self) -> i32;
+
     /// `part / whole`, for `0 <= part <= whole` and `whole > 0`.
     fn fraction(part: Self, whole: Self) -> Self::Unit;
 

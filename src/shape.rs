@@ -14,6 +14,7 @@ mod capsule;
 mod convex_hull;
 mod cuboid;
 mod half_space;
+mod height_field;
 mod set;
 mod sphere;
 
@@ -21,6 +22,8 @@ pub use self::capsule::Capsule;
 pub use self::convex_hull::{ConvexHull, MAX_CORNERS, MAX_FACE_CORNERS};
 pub use self::cuboid::Cuboid;
 pub use self::half_space::HalfSpace;
+pub use self::height_field::HeightField;
+pub(crate) use self::height_field::Triangle;
 pub use self::sphere::Sphere;
 
 /// A shape in a frame of its own.

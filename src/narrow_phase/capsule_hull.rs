@@ -16,13 +16,13 @@ const LYING: u32 = 4;
 /// What is closest in the hull's frame: the direction from the hull to the core of the capsule, how far away that is (negative
 /// where the core pierces the hull), and the point of the core.
 #[derive(Clone, Copy)]
-struct Core<S: Scalar> {
-    normal: Vec3<S::Unit>,
-    height: S,
-    place: Vec3<S>,
+pub(super) struct Core<S: Scalar> {
+    pub normal: Vec3<S::Unit>,
+    pub height: S,
+    pub place: Vec3<S>,
 }
 
-fn core<S: Scalar>(hull: &impl Polytope<S>, core: &Segment<S>) -> Core<S> {
+pub(super) fn core<S: Scalar>(hull: &impl Polytope<S>, core: &Segment<S>) -> Core<S> {
     let inside = least_translation(hull, core);
     if inside.height <= S::ZERO {
         return inside;
@@ -121,16 +121,13 @@ pub(super) fn manifold<S: Scalar, const N: usize>(
         let r = pose.rotate(place) + d + Vec3::of_length(radius.plus(separation.lowered_by(1)), down);
         out.push(point(r, d, separation, feature));
     };
-    if abs(segment.axis.dot(normal)) <= S::Unit::ONE.lowered_by(LYING) {
-        if let Some((face, plane)) = along_face(*hull, normal) {
-            out.begin(S::opposite(&pose.rotation.times(plane.normal)));
-            let [low, high] = over(*hull, face, &plane, &segment).unwrap_or_default();
-            for (feature, s) in [(1, low), (2, high)] {
-                let end = segment.at(s);
-                let separation = end.along(plane.normal).minus(plane.offset).minus(radius);
-                if separation <= margin && low < high {
-                    push(out, end, separation, feature);
-                }
+    if let Some((plane, ends)) = part_along_face(*hull, &segment, normal) {
+        out.begin(S::opposite(&pose.rotation.times(plane.normal)));
+        for (feature, s) in [(1, ends[0]), (2, ends[1])] {
+            let end = segment.at(s);
+            let separation = end.along(plane.normal).minus(plane.offset).minus(radius);
+            if separation <= margin {
+                push(out, end, separation, feature);
             }
         }
     }
@@ -138,6 +135,20 @@ pub(super) fn manifold<S: Scalar, const N: usize>(
         out.begin(S::opposite(&pose.rotation.times(normal)));
         push(out, place, separation, 0);
     }
+}
+
+/// The part of a segment over the face that it lies along, if `normal` is that of a face.
+pub(super) fn part_along_face<S: Scalar>(
+    hull: &impl Polytope<S>,
+    segment: &Segment<S>,
+    normal: Vec3<S::Unit>,
+) -> Option<(Plane<S>, [S; 2])> {
+    if abs(segment.axis.dot(normal)) > S::Unit::ONE.lowered_by(LYING) {
+        return None;
+    }
+    let (face, plane) = along_face(hull, normal)?;
+    let [low, high] = over(hull, face, &plane, segment)?;
+    if low < high { Some((plane, [low, high])) } else { None }
 }
 
 /// The face whose normal that direction is, or nearly.

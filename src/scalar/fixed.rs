@@ -252,6 +252,16 @@ where
         Self::from_bits(round_shift(self.to_bits() as i64, places & 31) as i32)
     }
 
+    #[inline(always)]
+    fn times_integer(self, n: i32) -> Self {
+        Self::from_bits(clip(product(self.to_bits(), n)).0)
+    }
+
+    #[inline(always)]
+    fn floor(self) -> i32 {
+        self.to_bits().wrapping_shr(Frac::U32)
+    }
+
     #[inline]
     fn fraction(part: Self, whole: Self) -> I2F30 {
         let (part, whole) = (part.to_bits().unsigned_abs(), whole.to_bits().unsigned_abs());

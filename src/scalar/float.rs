@@ -20,10 +20,10 @@ pub struct FloatArm<T> {
     pub(super) turn: [Vec3<T>; 3],
 }
 
-/// Implements `Scalar` and `Scaled` for a float: `$sqrt` is its square root, `$int` makes one of an `i32`, `$bits` gives
+/// Implements `Scalar` and `Scaled` for a float: `$sqrt` is its square root, `$int` makes one of an `i32`, `$cut` the other way, `$bits` gives
 /// the stored bits, `$power` is two to an exponent that is in the normal range.
 macro_rules! float_scalar {
-    ($float:ty, sqrt: $sqrt:expr, int: $int:expr, bits: $bits:expr, power: $power:expr, max_exponent: $max_exponent:expr,
+    ($float:ty, sqrt: $sqrt:expr, int: $int:expr, cut: $cut:expr, bits: $bits:expr, power: $power:expr, max_exponent: $max_exponent:expr,
      zero: $zero:expr, one: $one:expr, largest: $largest:expr, pi: $pi:expr, epsilon: $epsilon:expr, small: $small:expr,
      finite: $finite:expr) => {
         use super::float::{FloatArm, FloatLever};
@@ -190,6 +190,24 @@ macro_rules! float_scalar {
             #[inline(always)]
             fn lowered_by(self, places: u32) -> Self {
                 self * $power((places as i32).wrapping_neg())
+            }
+
+            #[inline(always)]
+            fn times_integer(self, n: i32) -> Self {
+                self * $int(n)
+            }
+
+            #[inline]
+            fn floor(self) -> i32 {
+                const END: i32 = 1 << 30;
+                if !(self > $int(-END)) {
+                    return -END;
+                }
+                if self >= $int(END) {
+                    return END;
+                }
+                let cut = $cut(self);
+                if $int(cut) > self { cut.wrapping_sub(1) } else { cut }
             }
 
             #[inline(always)]

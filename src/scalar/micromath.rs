@@ -36,6 +36,7 @@ fn power_of_two(exponent: i32) -> F32 {
 float_scalar!(F32,
     sqrt: sqrt,
     int: |n: i32| F32(n as f32),
+    cut: |x: F32| x.0 as i32,
     bits: |x: F32| u64::from(x.0.to_bits()),
     power: power_of_two,
     max_exponent: 126,

@@ -85,7 +85,7 @@ impl<S: HostScalar> Checker<S> {
         self.rows += 1;
         let scale_to = self.shrink / self.unit;
         let shapes = pair.shapes.map(|placed| placed.scaled(scale_to));
-        let disguises = [0, 1].map(|k| if self.disguised[k] { shapes[k].disguise::<S>() } else { None });
+        let disguises = [0, 1].map(|k| if self.disguised[k] { shapes[k].disguise::<S>(4.0 * scale_to) } else { None });
         let [a, b] = [0, 1].map(|k| shapes[k].for_kernel(disguises[k].as_ref()));
         let unfit = (0..2).any(|k| self.disguised[k] && disguises[k].is_none());
         let (Some(a), Some(b), false) = (a, b, unfit) else {

@@ -1,17 +1,21 @@
 //! Shapes on the host, in f64: what they are, how far they reach in a direction, and the same for the kernel.
 
-use carom::{Capsule, ConvexHull, Cuboid, HalfSpace, Pose, Quat, Sphere, UnitVec3, Vec3};
+use carom::{Capsule, ConvexHull, Cuboid, HalfSpace, HeightField, Pose, Quat, Sphere, UnitVec3, Vec3};
 
 use crate::host::HostScalar;
 use crate::tool::vector::{Matrix, Vector, add, dot, norm, rotation, scale};
 
 carom::shapes! {
     /// A shape for the kernel.
-    pub enum Solid<'a, S> { Sphere, Cuboid, Capsule, HalfSpace, Hull(&'a ConvexHull<S, 8>) }
+    pub enum Solid<'a, S> { Sphere, Cuboid, Capsule, HalfSpace, Hull(&'a ConvexHull<S, 8>), HeightField(HeightField<'a, S>) }
 }
 
-/// Boxes as hulls of their eight corners: what shapes that are references refer to.
-pub struct Disguise<S: HostScalar>(Option<ConvexHull<S, 8>>);
+/// What shapes that are references refer to: a box as the hull of its eight corners, a half-space as a flat height field.
+pub enum Disguise<S: HostScalar> {
+    None,
+    Hull(ConvexHull<S, 8>),
+    Field { heights: [S; 81], spacing: S },
+}
 
 /// A shape around the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,21 +96,30 @@ impl Placed {
     }
 
     /// The same as another shape; `None` where the format cannot hold it.
-    pub fn disguise<S: HostScalar>(&self) -> Option<Disguise<S>> {
-        let Shape::Box { half } = self.shape else { return Some(Disguise(None)) };
+    ///
+    /// A field reaches `far` to each side.
+    pub fn disguise<S: HostScalar>(&self, far: f64) -> Option<Disguise<S>> {
+        let half = match self.shape {
+            Shape::Box { half } => half,
+            Shape::Plane => return Some(Disguise::Field { heights: [S::ZERO; 81], spacing: S::from_f64(far / 4.0)? }),
+            _ => return Some(Disguise::None),
+        };
         let mut corners = [Vec3::ZERO; 8];
         for (index, corner) in corners.iter_mut().enumerate() {
             let signs = [0, 1, 2].map(|axis| if index >> axis & 1 == 1 { -1.0 } else { 1.0 });
             *corner = vector([0, 1, 2].map(|axis| signs[axis] * half[axis]))?;
         }
-        Some(Disguise(Some(ConvexHull::new(&corners).ok()?)))
+        Some(Disguise::Hull(ConvexHull::new(&corners).ok()?))
     }
 
     /// For the kernel, in a disguise if there is one for the shape; `None` where the format cannot hold it.
     pub fn for_kernel<'a, S: HostScalar>(&self, disguise: Option<&'a Disguise<S>>) -> Option<(Solid<'a, S>, Pose<S>)> {
         let number = |x: f64| S::from_f64(x);
         let solid: Solid<'a, S> = match (self.shape, disguise) {
-            (Shape::Box { .. }, Some(Disguise(Some(hull)))) => hull.into(),
+            (Shape::Box { .. }, Some(Disguise::Hull(hull))) => hull.into(),
+            (Shape::Plane, Some(Disguise::Field { heights, spacing })) => {
+                HeightField::new(heights, 9, 9, *spacing).ok()?.into()
+            }
             (Shape::Sphere { radius }, _) => Sphere::new(number(radius)?).ok()?.into(),
             (Shape::Box { half }, _) => Cuboid::new(vector(half)?).ok()?.into(),
             (Shape::Capsule { radius, half }, _) => Capsule::new(number(radius)?, number(half)?).ok()?.into(),
