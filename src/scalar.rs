@@ -159,7 +159,7 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     /// The direction of a vector and its length, by one inverse root: what [`normalize3`](Self::normalize3) and
     /// [`length3`](Self::length3) give, cheaper. `None` where the length is zero or not finite.
     ///
-    /// In fixed point each component is within 3 units of 2^-30 of the exact quotient, and the length within one unit of the
+    /// In fixed point each component is within 2 units of 2^-30 of the exact quotient, and the length within one unit of the
     /// last place of the exact one, or 2^-29 of it where that is more.
     fn direction3(v: [Self; 3]) -> Option<([Self::Unit; 3], Self)>;
 
@@ -176,7 +176,7 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     fn times_integer(self, n: i32) -> Self;
 
     /// The largest integer that is not above the number, within +-2^30.
-    fn floor(self) -> i32;
+    fn integer_below(self) -> i32;
 
     /// `part / whole`, for `0 <= part <= whole` and `whole > 0`.
     fn fraction(part: Self, whole: Self) -> Self::Unit;

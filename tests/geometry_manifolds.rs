@@ -32,6 +32,18 @@ impl<S: HostScalar> Scene<S> {
         Self(shapes.map(|placed| placed.for_kernel(None).expect("it fits")))
     }
 
+    /// Boxes as hulls, planes as flat height fields, which stay for the rest of the test.
+    fn disguised(shapes: &[Placed; 2]) -> Self {
+        Self(shapes.map(|placed| {
+            let disguise = Box::leak(Box::new(placed.disguise(8.0).expect("it fits")));
+            placed.for_kernel(Some(disguise)).expect("it fits")
+        }))
+    }
+
+    fn made(disguised: bool, shapes: &[Placed; 2]) -> Self {
+        if disguised { Self::disguised(shapes) } else { Self::new(shapes) }
+    }
+
     fn manifold(&self, margin: f64) -> Option<Manifold<S>> {
         let [(a, pose_a), (b, pose_b)] = &self.0;
         let mut manifold = Manifold::empty(UnitVec3::Z);
@@ -79,7 +91,8 @@ fn allowance<S: HostScalar>() -> f64 {
     16.0 * S::spacing(4.0) + if S::from_f64(2.0).expect("fits").sqrt().to_f64() == 2.0_f64.sqrt() { 0.0 } else { 5e-6 }
 }
 
-struct OnBothSurfaces;
+/// With shapes as they are, or disguised.
+struct OnBothSurfaces(bool);
 
 impl Job for OnBothSurfaces {
     type Output = ();
@@ -89,7 +102,7 @@ impl Job for OnBothSurfaces {
         for pair in PAIRS {
             for case in 0..300 {
                 let shapes = touching::<S>(pair, &mut random);
-                let scene = Scene::<S>::new(&shapes);
+                let scene = Scene::<S>::made(self.0, &shapes);
                 let Some(manifold) = scene.manifold(0.05) else { continue };
                 let points = manifold.points();
                 counts[points.len()] += 1;
@@ -141,7 +154,9 @@ impl Job for OnBothSurfaces {
 #[test]
 fn points_lie_on_both_surfaces() {
     for &number in NUMBERS {
-        scalars::run(number, OnBothSurfaces);
+        for disguised in [false, true] {
+            scalars::run(number, OnBothSurfaces(disguised));
+        }
     }
 }
 
@@ -150,7 +165,8 @@ fn mirrored<S: HostScalar>(mut manifold: Manifold<S>) -> Manifold<S> {
     manifold
 }
 
-struct Mirrored;
+/// With shapes as they are, or disguised.
+struct Mirrored(bool);
 
 impl Job for Mirrored {
     type Output = ();
@@ -159,7 +175,7 @@ impl Job for Mirrored {
         let mut compared = 0;
         for pair in PAIRS {
             for _ in 0..300 {
-                let scene = Scene::<S>::new(&touching::<S>(pair, &mut random));
+                let scene = Scene::<S>::made(self.0, &touching::<S>(pair, &mut random));
                 assert_eq!(scene.swapped(0.05), scene.manifold(0.05).map(mirrored), "{pair:?}");
                 let [(a, pose_a), (b, pose_b)] = &scene.0;
                 let (there, back) = (a.closest(pose_a, b, pose_b), b.closest(pose_b, a, pose_a));
@@ -175,7 +191,9 @@ impl Job for Mirrored {
 #[test]
 fn shapes_in_the_other_order_give_the_mirrored_manifold() {
     for &number in NUMBERS {
-        scalars::run(number, Mirrored);
+        for disguised in [false, true] {
+            scalars::run(number, Mirrored(disguised));
+        }
     }
 }
 
@@ -208,7 +226,8 @@ fn far_from_the_origin_the_manifold_is_the_same() {
     }
 }
 
-struct Turned;
+/// With shapes as they are, or disguised.
+struct Turned(bool);
 
 impl Job for Turned {
     type Output = ();
@@ -226,8 +245,10 @@ impl Job for Turned {
                     orientation: times(q, placed.orientation),
                     ..placed
                 });
-                let (before, after) =
-                    (Scene::<S>::new(&shapes).manifold(0.05), Scene::<S>::new(&turned).manifold(0.05));
+                let (before, after) = (
+                    Scene::<S>::made(self.0, &shapes).manifold(0.05),
+                    Scene::<S>::made(self.0, &turned).manifold(0.05),
+                );
                 let (Some(before), Some(after)) = (before, after) else {
                     others += usize::from(before.is_some() != after.is_some());
                     continue;
@@ -255,11 +276,14 @@ impl Job for Turned {
 #[test]
 fn the_manifold_turns_with_the_shapes() {
     for &number in NUMBERS {
-        scalars::run(number, Turned);
+        for disguised in [false, true] {
+            scalars::run(number, Turned(disguised));
+        }
     }
 }
 
-struct Lasting;
+/// With shapes as they are, or disguised.
+struct Lasting(bool);
 
 impl Job for Lasting {
     type Output = ();
@@ -269,13 +293,13 @@ impl Job for Lasting {
         for pair in PAIRS {
             for _ in 0..200 {
                 let shapes = touching::<S>(pair, &mut random);
-                let before = Scene::<S>::new(&shapes).manifold(0.05);
+                let before = Scene::<S>::made(self.0, &shapes).manifold(0.05);
                 // A thousandth of a step, and a thousandth of a radian.
                 let mut moved = shapes;
                 moved[1].position = add(moved[1].position, scale(2e-4, random.direction()));
                 let [x, y, z] = scale(2e-4, random.direction());
                 moved[1].orientation = times([1.0, x, y, z], moved[1].orientation);
-                let after = Scene::<S>::new(&moved).manifold(0.05);
+                let after = Scene::<S>::made(self.0, &moved).manifold(0.05);
                 let (Some(before), Some(after)) = (before, after) else { continue };
                 for point in before.points().iter().filter(|point| point.separation.to_f64() < 0.04) {
                     compared += 1;
@@ -296,7 +320,9 @@ impl Job for Lasting {
 #[test]
 fn a_small_motion_leaves_the_points_their_names() {
     for &number in NUMBERS {
-        scalars::run(number, Lasting);
+        for disguised in [false, true] {
+            scalars::run(number, Lasting(disguised));
+        }
     }
 }
 

@@ -35,16 +35,16 @@ fn end_of_range(p: i64, q: i64, r: i64) -> i32 {
     if (p >> 2).wrapping_add(q >> 2).wrapping_add(r >> 2) < 0 { i32::MIN } else { i32::MAX }
 }
 
-/// `2^46 / sqrt(a)` for `a >= 2^30`, at most 2^31; off by at most 2^-29 in relative terms.
+/// `2^46 / sqrt(a)` for `a >= 2^30`, at most 2^31; off by at most 2^-30 in relative terms.
 ///
 /// One more Newton step `y (3 - a y^2)/2` after the two of `inverse_root`.
 #[inline(always)]
 fn precise_inverse_root(a: u32) -> u32 {
     let y = inverse_root(a);
-    // 2^15 sqrt(a), and 2^61 (1 - a y^2): below 2^39 in magnitude.
+    // 2^15 sqrt(a), and 2^61 (1 - a y^2): below 2^40 in magnitude, the most where a is next to 2^30.
     let root = (unsigned_product(a, y) >> 31) as u32;
     let rest = (1i64 << 61).wrapping_sub(unsigned_product(root, y) as i64);
-    let step = product((rest >> 8) as i32, (y >> 1) as i32) >> 53;
+    let step = product((rest >> 10) as i32, (y >> 1) as i32) >> 51;
     y.wrapping_add(step as u32)
 }
 
@@ -225,8 +225,10 @@ where
         if bits[0] | bits[1] | bits[2] == 0 {
             return None;
         }
-        // The largest component has 30 bits, the sum of the squares 59 to 62.
-        let places = headroom(bits).wrapping_add(1);
+        // The largest component has 30 bits, the sum of the squares 59 to 62. By magnitudes, so that the opposite vector has the
+        // opposite direction to the last bit.
+        let largest = bits[0].unsigned_abs() | bits[1].unsigned_abs() | bits[2].unsigned_abs();
+        let places = (leading_zeros(largest) as i32).wrapping_sub(2);
         let m = [move_left(bits[0], places), move_left(bits[1], places), move_left(bits[2], places)];
         let square = dot(m, m) as u64;
         // Moved left by an even number of places, the square is a 2^32 with a >= 2^30, and its root sqrt(a) 2^16.
@@ -258,7 +260,7 @@ where
     }
 
     #[inline(always)]
-    fn floor(self) -> i32 {
+    fn integer_below(self) -> i32 {
         self.to_bits().wrapping_shr(Frac::U32)
     }
 

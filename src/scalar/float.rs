@@ -198,7 +198,7 @@ macro_rules! float_scalar {
             }
 
             #[inline]
-            fn floor(self) -> i32 {
+            fn integer_below(self) -> i32 {
                 const END: i32 = 1 << 30;
                 if !(self > $int(-END)) {
                     return -END;

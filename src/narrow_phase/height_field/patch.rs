@@ -102,7 +102,7 @@ impl<S: Scalar, K: ManifoldSink<S>> Sink<'_, S, K> {
 fn part<S: Scalar>(normal: Vec3<S::Unit>) -> u32 {
     let steps = |d: S::Unit| {
         let half = S::ONE.lowered_by(1);
-        S::ONE.times_unit(d).times_integer(32).plus(half).floor().wrapping_add(64) as u32 & 127
+        S::ONE.times_unit(d).times_integer(32).plus(half).integer_below().wrapping_add(64) as u32 & 127
     };
     (steps(normal.x) << 7 | steps(normal.y)).wrapping_add(1)
 }

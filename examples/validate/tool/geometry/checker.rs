@@ -113,7 +113,8 @@ impl<S: HostScalar> Checker<S> {
         let away = norm(sub(found.normal, pair.normal));
         let as_good = f64::max(AS_GOOD * spacing, 1e-6);
         let n = scale(1.0 / norm(found.normal), found.normal);
-        if away > ANOTHER && separation(&pair.shapes, n) >= pair.distance - as_good {
+        let is_right = |n| separation(&pair.shapes, n) >= pair.distance - as_good;
+        if away > ANOTHER && is_right(n) && is_right(pair.normal) {
             self.tied.push(format!("{} ({:.1e})", pair.id, away));
         } else {
             errors.set(Quantity::Normal, away);
