@@ -62,26 +62,41 @@
 #![deny(missing_docs)]
 #![deny(unsafe_code)]
 
+mod aabb;
 mod body;
+mod broad_phase;
 mod contact;
 mod error;
 mod hash;
 pub mod impulse;
+mod manifold;
 mod mass;
 mod math;
+mod narrow_phase;
+mod query;
 mod scalar;
+mod shape;
 
+pub use aabb::Aabb;
 pub use body::Body;
+pub use broad_phase::{PairSink, Pairs, SweepAndPrune};
 pub use contact::{Contact, Material, RestitutionLaw};
 pub use error::{
-    BodyError, ContactError, DirectionError, MassError, MaterialError, OrientationError, RangeError, SolidError,
+    BodyError, ContactError, DirectionError, HeightFieldError, HullError, MassError, MaterialError, OrientationError,
+    RangeError, ShapeError, SolidError,
 };
 pub use hash::StateHash;
+pub use manifold::{FeatureId, Manifold, ManifoldPoint};
 pub use mass::{MassProperties, Solid};
-pub use math::{Block, BlockImpulse, Mat3, Quat, SymBlock, SymMat3, UnitVec3, Vec3};
+pub use math::{Block, BlockImpulse, Mat3, Pose, Quat, SymBlock, SymMat3, UnitVec3, Vec3};
+pub use query::{Ray, RayHit, SurfacePoint};
 #[cfg(feature = "fixed")]
 pub use scalar::Scaled32;
 pub use scalar::{Scalar, Scaled};
+pub use shape::{
+    Capsule, Closest, Collide, ConvexHull, Cuboid, HalfSpace, HeightField, MAX_CORNERS, MAX_FACE_CORNERS, ManifoldSink,
+    Shape, Sphere,
+};
 
 // The README's example compiles and runs.
 #[cfg(all(doctest, feature = "f32"))]

@@ -62,6 +62,8 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     type Scaled: Scaled<Unit = Self::Unit, Exponent = Self::Exponent>;
     /// The power of two that a block of [`Unit`](Self::Unit) numbers shares; of size zero in floating point.
     type Exponent: Copy + Default + Debug + PartialEq + Send + Sync + 'static;
+    /// Sums of products that are compared and not rounded: 64 bits in fixed point.
+    type Wide: Copy + Debug + PartialEq + PartialOrd + Send + Sync + 'static;
     /// How an impulse along a direction turns a body; see [`lever`](Self::lever).
     type Lever: Copy + Debug + Send + Sync + 'static;
     /// How impulses at the end of an arm turn a body; see [`arm`](Self::arm).
@@ -75,6 +77,10 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     const ZERO: Self;
     /// One.
     const ONE: Self;
+    /// The largest number of the format.
+    const LARGEST: Self;
+    /// The spacing of the format's numbers; zero in floating point, where it depends on the number.
+    const STEP: Self;
     /// Whether [`contact_impulse`](Self::contact_impulse) and what goes into it round alike for a number and its opposite.
     const SYMMETRIC: bool;
     /// Two to the zeroth.
@@ -149,6 +155,40 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     /// is within 2 units of 2^-30 of the exact quotient. In f32 vectors shorter than 1e-19 or longer than 1e19 are
     /// scaled first.
     fn normalize3(v: [Self; 3]) -> Option<[Self::Unit; 3]>;
+
+    /// The direction of a vector and its length, by one inverse root: what [`normalize3`](Self::normalize3) and
+    /// [`length3`](Self::length3) give, cheaper. `None` where the length is zero or not finite.
+    ///
+    /// In fixed point each component is within 2 units of 2^-30 of the exact quotient, and the length within one unit of the
+    /// last place of the exact one, or 2^-29 of it where that is more.
+    fn direction3(v: [Self; 3]) -> Option<([Self::Unit; 3], Self)>;
+
+    /// `self d` for a component of a direction.
+    #[must_use]
+    fn times_unit(self, d: Self::Unit) -> Self;
+
+    /// `self / 2^places`, for `places` up to 30; in fixed point rounded, ties away from zero.
+    #[must_use]
+    fn lowered_by(self, places: u32) -> Self;
+
+    /// `self n`.
+    #[must_use]
+    fn times_integer(self, n: i32) -> Self;
+
+    /// The largest integer that is not above the number, within +-2^30.
+    fn integer_below(self) -> i32;
+
+    /// `part / whole`, for `0 <= part <= whole` and `whole > 0`.
+    fn fraction(part: Self, whole: Self) -> Self::Unit;
+
+    /// `a b`, to compare with others.
+    fn wide_product(a: Self, b: Self) -> Self::Wide;
+
+    /// `a0 b0 + a1 b1 + a2 b2`, to compare with others: squares of lengths, beyond what the format itself could hold.
+    fn wide_dot3(a: [Self; 3], b: [Self; 3]) -> Self::Wide;
+
+    /// `a d - b c`, to compare with others: areas.
+    fn wide_det2(a: Self, b: Self, c: Self, d: Self) -> Self::Wide;
 
     /// `v0 d0 + v1 d1 + v2 d2`, exact before it is rounded to [`Scaled`](Self::Scaled).
     /// `d` is of length at most two.

@@ -52,6 +52,12 @@ impl<S: Scalar> UnitVec3<S> {
         }
     }
 
+    /// Of components that are known to be of unit length, such as those of a direction that was turned.
+    #[inline(always)]
+    pub(crate) const fn from_unit(components: Vec3<S::Unit>) -> Self {
+        Self(components)
+    }
+
     /// The components.
     #[inline(always)]
     pub const fn get(self) -> Vec3<S::Unit> {

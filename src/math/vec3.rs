@@ -2,6 +2,7 @@
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
+use super::abs;
 use crate::scalar::Scalar;
 
 /// A vector of three components, in metres, m/s, rad/s or whatever the caller's units are.
@@ -77,6 +78,44 @@ impl<S: Scalar> Vec3<S> {
     #[inline(always)]
     pub fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
+    }
+}
+
+impl<S: Scalar> Vec3<S> {
+    /// The component along a direction.
+    #[inline(always)]
+    #[must_use]
+    pub(crate) fn along(self, d: Vec3<S::Unit>) -> S {
+        S::dot3_unit(self.to_array(), d.to_array())
+    }
+
+    /// The vector times a matrix of those rows.
+    #[inline(always)]
+    #[must_use]
+    pub(crate) fn through(self, [x, y, z]: [Vec3<S::Unit>; 3]) -> Self {
+        Self::new(self.along(x), self.along(y), self.along(z))
+    }
+
+    /// The vector of that length along a direction; negative, the other way. Rounded once a component.
+    #[inline(always)]
+    #[must_use]
+    pub(crate) fn of_length(length: S, d: Vec3<S::Unit>) -> Self {
+        Self::new(length.times_unit(d.x), length.times_unit(d.y), length.times_unit(d.z))
+    }
+
+    /// The magnitudes of the components.
+    #[inline(always)]
+    #[must_use]
+    pub(crate) fn magnitudes(self) -> Self {
+        Self::new(abs(self.x), abs(self.y), abs(self.z))
+    }
+}
+
+impl<S: Copy> Vec3<S> {
+    /// With the second axis first: a rotation of the frame that keeps its handedness.
+    #[inline(always)]
+    pub(crate) const fn cycled(self) -> Self {
+        Self { x: self.y, y: self.z, z: self.x }
     }
 }
 

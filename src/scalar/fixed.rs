@@ -7,9 +7,9 @@ use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30, U31};
 use super::Scalar;
 use super::arm32::{self, Arm32};
 use super::contact32::{Contact32, Impulse32};
-use super::integer::{leading_zeros, round_shift, round_sqrt, wide_quotient};
+use super::integer::{inverse_root, leading_zeros, round_shift, round_sqrt, wide_quotient};
 use super::lever32::{self, Lever32};
-use super::product::{dot, product};
+use super::product::{dot, product, unsigned_product};
 use super::scaled32::Scaled32;
 use super::stored32::{self, add_block, add_scaled, clip};
 use super::wide::{bits_of, magnitude, narrow};
@@ -33,6 +33,19 @@ fn narrow_sum(p: i64, q: i64, r: i64, frac: u32) -> i32 {
 fn end_of_range(p: i64, q: i64, r: i64) -> i32 {
     // Halved twice, the sum fits; it is far from zero here.
     if (p >> 2).wrapping_add(q >> 2).wrapping_add(r >> 2) < 0 { i32::MIN } else { i32::MAX }
+}
+
+/// `2^46 / sqrt(a)` for `a >= 2^30`, at most 2^31; off by at most 2^-30 in relative terms.
+///
+/// One more Newton step `y (3 - a y^2)/2` after the two of `inverse_root`.
+#[inline(always)]
+fn precise_inverse_root(a: u32) -> u32 {
+    let y = inverse_root(a);
+    // 2^15 sqrt(a), and 2^61 (1 - a y^2): below 2^40 in magnitude, the most where a is next to 2^30.
+    let root = (unsigned_product(a, y) >> 31) as u32;
+    let rest = (1i64 << 61).wrapping_sub(unsigned_product(root, y) as i64);
+    let step = product((rest >> 10) as i32, (y >> 1) as i32) >> 51;
+    y.wrapping_add(step as u32)
 }
 
 /// The places by which a vector can move left so that its components stay within 29 bits: -2 to 29.
@@ -95,6 +108,7 @@ where
     type Unit = I2F30;
     type Scaled = Scaled32;
     type Exponent = i32;
+    type Wide = i64;
     type Lever = Lever32;
     type Arm = Arm32;
     type SubStep = FixedI32<U31>;
@@ -102,6 +116,8 @@ where
 
     const ZERO: Self = Self::from_bits(0);
     const ONE: Self = Self::from_bits(1 << Frac::U32);
+    const LARGEST: Self = Self::from_bits(i32::MAX);
+    const STEP: Self = Self::from_bits(1);
     const SYMMETRIC: bool = false;
     const NO_EXPONENT: i32 = Scaled32::LOWEST;
 
@@ -204,6 +220,76 @@ where
         // The root of the squares times four: the length to half a unit of its 31st bit.
         let length = round_sqrt((dot(v, v) as u64).wrapping_shl(2));
         Some([component(v[0], length), component(v[1], length), component(v[2], length)])
+    }
+
+    #[inline(never)]
+    fn direction3(v: [Self; 3]) -> Option<([I2F30; 3], Self)> {
+        let bits = bits3(v);
+        if bits[0] | bits[1] | bits[2] == 0 {
+            return None;
+        }
+        // The largest component has 30 bits, the sum of the squares 59 to 62. By magnitudes, so that the opposite vector has the
+        // opposite direction to the last bit.
+        let largest = bits[0].unsigned_abs() | bits[1].unsigned_abs() | bits[2].unsigned_abs();
+        let places = (leading_zeros(largest) as i32).wrapping_sub(2);
+        let m = [move_left(bits[0], places), move_left(bits[1], places), move_left(bits[2], places)];
+        let square = dot(m, m) as u64;
+        // Moved left by an even number of places, the square is a 2^32 with a >= 2^30, and its root sqrt(a) 2^16.
+        let even = leading_zeros((square >> 32) as u32 | 1) & 30;
+        let inverse = precise_inverse_root((square.wrapping_shl(even) >> 32) as u32);
+        let down = 32u32.wrapping_sub(even >> 1);
+        let half = 1u64.wrapping_shl(down.wrapping_sub(1));
+        let component = |x: i32| {
+            let rounded = unsigned_product(x.unsigned_abs(), inverse).wrapping_add(half).wrapping_shr(down) as i32;
+            I2F30::from_bits(if x < 0 { rounded.wrapping_neg() } else { rounded })
+        };
+        let d = [component(m[0]), component(m[1]), component(m[2])];
+        Some((d, Self::dot3_unit(v, d)))
+    }
+
+    #[inline(always)]
+    fn times_unit(self, d: I2F30) -> Self {
+        Self::from_bits(narrow_sum(product(self.to_bits(), d.to_bits()), 0, 0, 30))
+    }
+
+    #[inline(always)]
+    fn lowered_by(self, places: u32) -> Self {
+        Self::from_bits(round_shift(self.to_bits() as i64, places & 31) as i32)
+    }
+
+    #[inline(always)]
+    fn times_integer(self, n: i32) -> Self {
+        Self::from_bits(clip(product(self.to_bits(), n)).0)
+    }
+
+    #[inline(always)]
+    fn integer_below(self) -> i32 {
+        self.to_bits().wrapping_shr(Frac::U32)
+    }
+
+    #[inline]
+    fn fraction(part: Self, whole: Self) -> I2F30 {
+        let (part, whole) = (part.to_bits().unsigned_abs(), whole.to_bits().unsigned_abs());
+        if part >= whole {
+            return I2F30::from_bits(1 << 30);
+        }
+        I2F30::from_bits(wide_quotient(part, whole, 30).unwrap_or(1 << 30) as i32)
+    }
+
+    #[inline(always)]
+    fn wide_product(a: Self, b: Self) -> i64 {
+        product(a.to_bits(), b.to_bits())
+    }
+
+    #[inline(always)]
+    fn wide_dot3(a: [Self; 3], b: [Self; 3]) -> i64 {
+        let (a, b) = (bits3(a), bits3(b));
+        product(a[0], b[0]).saturating_add(product(a[1], b[1])).saturating_add(product(a[2], b[2]))
+    }
+
+    #[inline(always)]
+    fn wide_det2(a: Self, b: Self, c: Self, d: Self) -> i64 {
+        product(a.to_bits(), d.to_bits()).saturating_sub(product(b.to_bits(), c.to_bits()))
     }
 
     #[inline(always)]

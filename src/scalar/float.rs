@@ -20,13 +20,33 @@ pub struct FloatArm<T> {
     pub(super) turn: [Vec3<T>; 3],
 }
 
-/// Implements `Scalar` and `Scaled` for a float: `$sqrt` is its square root, `$int` makes one of an `i32`, `$bits` gives
+/// Implements `Scalar` and `Scaled` for a float: `$sqrt` is its square root, `$int` makes one of an `i32`, `$cut` the other way, `$bits` gives
 /// the stored bits, `$power` is two to an exponent that is in the normal range.
 macro_rules! float_scalar {
-    ($float:ty, sqrt: $sqrt:expr, int: $int:expr, bits: $bits:expr, power: $power:expr, max_exponent: $max_exponent:expr,
-     zero: $zero:expr, one: $one:expr, pi: $pi:expr, epsilon: $epsilon:expr, small: $small:expr, finite: $finite:expr) => {
+    ($float:ty, sqrt: $sqrt:expr, int: $int:expr, cut: $cut:expr, bits: $bits:expr, power: $power:expr, max_exponent: $max_exponent:expr,
+     zero: $zero:expr, one: $one:expr, largest: $largest:expr, pi: $pi:expr, epsilon: $epsilon:expr, small: $small:expr,
+     finite: $finite:expr) => {
         use super::float::{FloatArm, FloatLever};
         use $crate::math::{Block, BlockImpulse, SymBlock, SymMat3, Vec3};
+
+        /// One, or the power of two that brings a vector with squares beyond the range into it.
+        #[inline]
+        fn moderate(v: [$float; 3]) -> $float {
+            let largest = v.iter().fold($zero, |m: $float, &x| {
+                let x = if x < $zero { -x } else { x };
+                if m < x { x } else { m }
+            });
+            let tiny: $float = $small;
+            if largest < tiny * tiny {
+                $one / (tiny * tiny)
+            } else if largest < tiny {
+                $one / tiny
+            } else if largest > $one / tiny {
+                tiny * tiny
+            } else {
+                $one
+            }
+        }
 
         impl FloatArm<$float> {
             /// (r x .)^T I^-1 (r x .)
@@ -49,6 +69,7 @@ macro_rules! float_scalar {
             type Unit = Self;
             type Scaled = Self;
             type Exponent = ();
+            type Wide = Self;
             type Lever = FloatLever<Self>;
             type Arm = FloatArm<Self>;
             type SubStep = Self;
@@ -56,6 +77,8 @@ macro_rules! float_scalar {
 
             const ZERO: Self = $zero;
             const ONE: Self = $one;
+            const LARGEST: Self = $largest;
+            const STEP: Self = $zero;
             const SYMMETRIC: bool = true;
             const NO_EXPONENT: () = ();
 
@@ -136,20 +159,7 @@ macro_rules! float_scalar {
             #[inline]
             fn normalize3(v: [Self; 3]) -> Option<[Self; 3]> {
                 // Only where the squares could leave the range is the vector scaled by a power of two first.
-                let largest = v.iter().fold($zero, |m: Self, &x| {
-                    let x = if x < $zero { -x } else { x };
-                    if m < x { x } else { m }
-                });
-                let tiny: Self = $small;
-                let scale = if largest < tiny * tiny {
-                    $one / (tiny * tiny)
-                } else if largest < tiny {
-                    $one / tiny
-                } else if largest > $one / tiny {
-                    tiny * tiny
-                } else {
-                    $one
-                };
+                let scale = moderate(v);
                 let v = [v[0] * scale, v[1] * scale, v[2] * scale];
                 let length = <Self as $crate::scalar::Scalar>::length3(v);
                 if length > $zero && $finite(length) {
@@ -157,6 +167,67 @@ macro_rules! float_scalar {
                 } else {
                     None
                 }
+            }
+
+            #[inline]
+            fn direction3(v: [Self; 3]) -> Option<([Self; 3], Self)> {
+                let scale = moderate(v);
+                let v = [v[0] * scale, v[1] * scale, v[2] * scale];
+                let length = <Self as $crate::scalar::Scalar>::length3(v);
+                if length > $zero && $finite(length) {
+                    let back = if scale == $one { length } else { length / scale };
+                    Some(([v[0] / length, v[1] / length, v[2] / length], back))
+                } else {
+                    None
+                }
+            }
+
+            #[inline(always)]
+            fn times_unit(self, d: Self) -> Self {
+                self * d
+            }
+
+            #[inline(always)]
+            fn lowered_by(self, places: u32) -> Self {
+                self * $power((places as i32).wrapping_neg())
+            }
+
+            #[inline(always)]
+            fn times_integer(self, n: i32) -> Self {
+                self * $int(n)
+            }
+
+            #[inline]
+            fn integer_below(self) -> i32 {
+                const END: i32 = 1 << 30;
+                if !(self > $int(-END)) {
+                    return -END;
+                }
+                if self >= $int(END) {
+                    return END;
+                }
+                let cut = $cut(self);
+                if $int(cut) > self { cut.wrapping_sub(1) } else { cut }
+            }
+
+            #[inline(always)]
+            fn fraction(part: Self, whole: Self) -> Self {
+                part / whole
+            }
+
+            #[inline(always)]
+            fn wide_product(a: Self, b: Self) -> Self {
+                a * b
+            }
+
+            #[inline(always)]
+            fn wide_dot3(a: [Self; 3], b: [Self; 3]) -> Self {
+                a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+            }
+
+            #[inline(always)]
+            fn wide_det2(a: Self, b: Self, c: Self, d: Self) -> Self {
+                a * d - b * c
             }
 
             #[inline(always)]

@@ -7,13 +7,14 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 use super::error::Result;
+use super::geometry::Geometry;
 use super::impulses::Impulses;
 use super::number::Number;
 use super::planar::Planar;
 use super::report::Report;
 use crate::scalars;
 
-/// Holds the kernel against impacts whose results are known.
+/// Holds the library against impacts and pairs of shapes whose results are known.
 ///
 /// Prints errors by category and the verdict on each tolerance. Exit status: 0 where all tolerances are met, 1 where not
 /// or where a file is bad (one line says where), 2 for a command line that makes no sense.
@@ -40,11 +41,19 @@ enum Command {
     /// the kernel is held against Newton's restitution with Coulomb's friction in closed form. Or impact laws: id, shape,
     /// m, I, rx, ry, mu, e, vx, vy, w, newton_jn, newton_jt, newton_mode; rows of mode threshold_mu are skipped.
     Planar(PlanarArgs),
+    /// Signed distances and normals of pairs of shapes
+    ///
+    /// FILE is CSV with a header; its columns may stand in any order: id, the kinds A and B (sphere, box, capsule or plane),
+    /// and of each size (radius; half extents; radius and half length along z; nothing), pos, quat (w x y z, of any length)
+    /// with blanks between the numbers; and the right dist and normal, from A to B. Where shapes overlap, the distance is that
+    /// of the least translation that parts them. A row has tied axes where another normal than the file's separates the
+    /// shapes just as far; it is counted, and its distance compared.
+    Geometry(GeometryArgs),
 }
 
 #[derive(Debug, Args)]
 struct Common {
-    /// The impacts
+    /// What to hold it against
     file: PathBuf,
     /// The number type the kernel computes in
     #[arg(long, value_enum, default_value_t = Number::F32)]
@@ -58,6 +67,18 @@ struct Common {
 struct ImpulsesArgs {
     #[command(flatten)]
     common: Common,
+}
+
+#[derive(Debug, Args)]
+struct GeometryArgs {
+    #[command(flatten)]
+    common: Common,
+    /// The same shapes a thousand times smaller, in units that suit the number type; errors in millimetres
+    #[arg(long)]
+    millimetres: bool,
+    /// Boxes as convex hulls of their corners, planes as flat height fields
+    #[arg(long)]
+    disguised: bool,
 }
 
 #[derive(Debug, Args)]
@@ -112,6 +133,12 @@ fn execute(command: Command) -> Result<Report> {
         }
         Command::Planar(PlanarArgs { common: Common { file, scalar, out }, mu, restitution }) => {
             scalars::run(scalar, Planar { file: &file, number: scalar, out: out.as_deref(), mu, restitution })
+        }
+        Command::Geometry(GeometryArgs { common: Common { file, scalar, out }, millimetres, disguised }) => {
+            scalars::run(
+                scalar,
+                Geometry { file: &file, number: scalar, out: out.as_deref(), millimetres, disguised: [disguised; 2] },
+            )
         }
     }
 }

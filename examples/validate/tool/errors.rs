@@ -39,10 +39,16 @@ pub enum Quantity {
     /// The file against the closed form, in the worst of J, v and w, each measured as [`Impulse`](Self::Impulse) and its
     /// images are.
     Law,
+    /// Of two shapes: of the signed distance, in metres; of shapes a thousand times smaller, in millimetres.
+    Distance,
+    /// The length of the difference of the unit normals.
+    Normal,
+    /// The least separation of the points of contact against the signed distance, as for it.
+    Contact,
 }
 
 /// All of them.
-pub const QUANTITIES: [Quantity; 16] = [
+pub const QUANTITIES: [Quantity; 19] = [
     Quantity::ImpulseRelative,
     Quantity::Impulse,
     Quantity::Velocity,
@@ -59,6 +65,9 @@ pub const QUANTITIES: [Quantity; 16] = [
     Quantity::StoredVelocity,
     Quantity::StoredSpin,
     Quantity::Law,
+    Quantity::Distance,
+    Quantity::Normal,
+    Quantity::Contact,
 ];
 
 impl Quantity {
@@ -80,6 +89,9 @@ impl Quantity {
             Self::StoredVelocity => "v for the inputs as rounded: the same",
             Self::StoredSpin => "w for the inputs as rounded: the same",
             Self::Law => "the file against the closed form in f64: J, v or w",
+            Self::Distance => "signed distance",
+            Self::Normal => "normal: |dn|",
+            Self::Contact => "least separation of the points of contact",
         }
     }
 }
@@ -97,7 +109,7 @@ impl Errors {
         self.0[quantity as usize]
     }
 
-    fn set(&mut self, quantity: Quantity, error: f64) {
+    pub fn set(&mut self, quantity: Quantity, error: f64) {
         self.0[quantity as usize] = error;
     }
 

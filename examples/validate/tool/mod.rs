@@ -6,6 +6,7 @@ pub mod closed_form;
 pub mod commands;
 pub mod error;
 pub mod errors;
+pub mod geometry;
 pub mod impulses;
 pub mod kernel;
 pub mod number;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::checker::Checker;
+use super::checker::{Checker, Failure, Sample};
 use super::errors::QUANTITIES;
 use super::number::Number;
 use super::statistics::summary;
@@ -32,16 +32,20 @@ the 3x3 inverse mass or, where that is less, what divides on the edge of the con
 pub fn report<S: HostScalar>(file: File, number: Number, checker: &Checker<S>) -> Report {
     let mut text = String::new();
     counts(&mut text, checker);
-    tables(&mut text, checker);
+    tables(&mut text, &checker.samples);
     text.push_str(LEGEND);
-    let exceeded = tolerances(&mut text, file, number, checker);
-    let problem = match (checker.failures.len(), exceeded) {
+    let exceeded = tolerances(&mut text, file, number, &checker.samples);
+    Report { text, problem: problem(checker.failures.len(), exceeded) }
+}
+
+/// What is wrong with a run, if anything is.
+pub fn problem(failed: usize, exceeded: usize) -> Option<String> {
+    match (failed, exceeded) {
         (0, 0) => None,
         (0, exceeded) => Some(format!("{exceeded} of the tolerances exceeded")),
         (failed, 0) => Some(format!("{failed} rows failed")),
         (failed, exceeded) => Some(format!("{failed} rows failed, {exceeded} of the tolerances exceeded")),
-    };
-    Report { text, problem }
+    }
 }
 
 fn counts<S: HostScalar>(text: &mut String, checker: &Checker<S>) {
@@ -57,26 +61,31 @@ fn counts<S: HostScalar>(text: &mut String, checker: &Checker<S>) {
         let list: Vec<_> = checker.not_representable.iter().map(|(category, n)| format!("{category}: {n}")).collect();
         let _ = writeln!(text, "not representable by category: {}", list.join(", "));
     }
-    for failure in failures.iter().take(NAMED) {
-        let _ = writeln!(text, "failed: row {}: {}", failure.id, failure.reason);
-    }
-    if failures.len() > NAMED {
-        let _ = writeln!(text, "failed: and {} more", failures.len() - NAMED);
-    }
+    failed(text, failures);
     let _ = writeln!(text, "outcome (separating, stuck, slid) other than expected: {other_outcome}");
     if *undetermined > 0 {
         let _ = writeln!(text, "without a single solution for the numbers as stored: {undetermined}");
     }
 }
 
+/// The first of the rows that must not be.
+pub fn failed(text: &mut String, failures: &[Failure]) {
+    for failure in failures.iter().take(NAMED) {
+        let _ = writeln!(text, "failed: row {}: {}", failure.id, failure.reason);
+    }
+    if failures.len() > NAMED {
+        let _ = writeln!(text, "failed: and {} more", failures.len() - NAMED);
+    }
+}
+
 /// Errors by quantity and category.
-fn tables<S: HostScalar>(text: &mut String, checker: &Checker<S>) {
-    let mut categories: Vec<&str> = checker.samples.iter().map(|sample| sample.category.as_str()).collect();
+pub fn tables(text: &mut String, samples: &[Sample]) {
+    let mut categories: Vec<&str> = samples.iter().map(|sample| sample.category.as_str()).collect();
     categories.sort_unstable();
     categories.dedup();
     for quantity in QUANTITIES {
         let line = |text: &mut String, name: &str, all: bool| {
-            let chosen = checker.samples.iter().filter(|sample| all || sample.category == name);
+            let chosen = samples.iter().filter(|sample| all || sample.category == name);
             let errors = chosen.map(|sample| (sample.errors.get(quantity), sample.id.as_str()));
             if let Some(s) = summary(errors) {
                 let (count, row) = (s.count, &s.row);
@@ -98,11 +107,11 @@ fn tables<S: HostScalar>(text: &mut String, checker: &Checker<S>) {
 }
 
 /// The verdicts; returns how many tolerances were exceeded.
-fn tolerances<S: HostScalar>(text: &mut String, file: File, number: Number, checker: &Checker<S>) -> usize {
+pub fn tolerances(text: &mut String, file: File, number: Number, samples: &[Sample]) -> usize {
     let mut exceeded = 0;
     let _ = writeln!(text, "\ntolerances of {number}\n               worst    bound  in row");
     for entry in Tolerance::of(file, number) {
-        let Some(Verdict { worst, row, met }) = entry.judge(&checker.samples) else { continue };
+        let Some(Verdict { worst, row, met }) = entry.judge(samples) else { continue };
         exceeded += usize::from(!met);
         let verdict = if met { "met" } else { "EXCEEDED" };
         let origin = match entry.origin {

@@ -10,6 +10,10 @@ use super::statistics::rank;
 pub enum File {
     Impulses,
     Planar,
+    /// Pairs of shapes.
+    Geometry,
+    /// The same, boxes as hulls and planes as height fields.
+    Disguised,
 }
 
 /// Which rows of it.
@@ -98,8 +102,13 @@ impl Tolerance {
 const IMPULSES: &[File] = &[File::Impulses];
 const PLANAR: &[File] = &[File::Planar];
 const BOTH: &[File] = &[File::Impulses, File::Planar];
+const GEOMETRY: &[File] = &[File::Geometry];
+const SHAPES: &[File] = &[File::Geometry, File::Disguised];
 const ALL: &[Number] = &[Number::F32, Number::F64, Number::I16F16, Number::I12F20, Number::I8F24, Number::Micromath];
 const FIXED: &[Number] = &[Number::I16F16, Number::I12F20, Number::I8F24];
+const I16: &[Number] = &[Number::I16F16];
+const I12: &[Number] = &[Number::I12F20];
+const I8: &[Number] = &[Number::I8F24];
 const F32: &[Number] = &[Number::F32];
 const F64: &[Number] = &[Number::F64];
 const MICROMATH: &[Number] = &[Number::Micromath];
@@ -124,6 +133,8 @@ const NAIVE: &str = "2.6 times what the formulas written down in f32 lose";
 const IMAGE: &str = "the image of the bound on J";
 const CANCELS: &str = "all but rows in which the approach speed nearly cancels";
 const STORED: &str = "a few roundings to 30 bits of what is added up";
+
+const UNITS: &str = "two units of the last place";
 
 /// The table.
 pub const TABLE: &[Tolerance] = &[
@@ -172,4 +183,22 @@ pub const TABLE: &[Tolerance] = &[
     entry(BOTH, MICROMATH, Q::StoredImpulse, All, 3.0, Found, "its root, of which five bits are lost"),
     entry(BOTH, MICROMATH, Q::StoredVelocity, All, 3.0, Found, IMAGE),
     entry(IMPULSES, MICROMATH, Q::SpinImage, All, 1.5e-6, Found, IMAGE),
+    entry(SHAPES, F32, Q::Distance, All, 2e-6, Required, "sizes and places of 1 to 3, each with 6e-8 of itself"),
+    entry(GEOMETRY, F32, Q::Distance, All, 5e-7, Found, "a few roundings of numbers near 2"),
+    entry(SHAPES, F64, Q::Distance, All, 1e-11, Required, "the file has twelve digits"),
+    entry(SHAPES, I16, Q::Distance, All, 1e-3, Required, "64 units of the last place"),
+    entry(GEOMETRY, I16, Q::Distance, All, 4e-5, Found, UNITS),
+    entry(SHAPES, I12, Q::Distance, All, 6.3e-5, Required, "64 units of the last place"),
+    entry(GEOMETRY, I12, Q::Distance, All, 2.5e-6, Found, UNITS),
+    entry(SHAPES, I8, Q::Distance, All, 3.9e-6, Required, "64 units of the last place"),
+    entry(GEOMETRY, I8, Q::Distance, All, 2e-7, Found, UNITS),
+    entry(GEOMETRY, MICROMATH, Q::Distance, All, 5e-6, Found, "its root, of lengths up to 2"),
+    entry(SHAPES, ALL, Q::Normal, All, 1e-3, Required, "rows with tied axes excepted"),
+    entry(GEOMETRY, F32, Q::Normal, All, 5e-6, Found, "ways of 0.1, each with 6e-8 of what they are the difference of"),
+    entry(GEOMETRY, F64, Q::Normal, All, 4e-12, Found, "the file has twelve digits"),
+    entry(GEOMETRY, I16, Q::Normal, All, 5e-4, Found, "the same, with 1e-5"),
+    entry(GEOMETRY, I12, Q::Normal, All, 6e-5, Found, "the same, with 7e-7"),
+    entry(GEOMETRY, I8, Q::Normal, All, 4e-6, Found, "the same, with 4e-8"),
+    entry(GEOMETRY, MICROMATH, Q::Normal, All, 5e-6, Found, "its root"),
+    entry(GEOMETRY, ALL, Q::Contact, All, 6e-5, Found, "two units of the last place of i16f16"),
 ];

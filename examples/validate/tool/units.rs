@@ -37,6 +37,16 @@ impl Units {
         }
     }
 
+    /// For shapes of a millimetre, a few millimetres apart.
+    pub fn of_millimetres(number: Number) -> Self {
+        match number {
+            Number::I16F16 => Self { length: 1e-5, ..Self::SI },
+            Number::I12F20 => Self { length: 1e-4, ..Self::SI },
+            Number::I8F24 => Self { length: 1e-3, ..Self::SI },
+            Number::F32 | Number::F64 | Number::Micromath => Self::SI,
+        }
+    }
+
     pub fn velocity(&self) -> f64 {
         self.length / self.time
     }

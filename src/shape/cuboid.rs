@@ -1,0 +1,65 @@
+//! The box.
+
+use crate::aabb::Aabb;
+use crate::error::{ShapeError, SolidError};
+use crate::mass::Solid;
+use crate::math::{Pose, Vec3, min};
+use crate::query::{self, Ray, RayHit, SurfacePoint};
+use crate::scalar::Scalar;
+use crate::shape::{Shape, is_positive};
+
+/// A box around the origin of its frame, its edges along the axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cuboid<S> {
+    half_extents: Vec3<S>,
+}
+
+impl<S: Scalar> Cuboid<S> {
+    /// A box with those halves of its edges, m.
+    ///
+    /// # Errors
+    /// [`ShapeError::HalfExtent`] where one is not positive and finite.
+    pub fn new(half_extents: Vec3<S>) -> Result<Self, ShapeError> {
+        let Vec3 { x, y, z } = half_extents;
+        let good = is_positive(x) && is_positive(y) && is_positive(z);
+        if good { Ok(Self { half_extents }) } else { Err(ShapeError::HalfExtent) }
+    }
+
+    /// Half of each edge, m.
+    #[inline(always)]
+    pub const fn half_extents(&self) -> Vec3<S> {
+        self.half_extents
+    }
+
+    /// The same, for its mass.
+    ///
+    /// # Errors
+    /// [`SolidError`] where a float cannot hold the moments of inertia.
+    pub fn solid(&self) -> Result<Solid<S>, SolidError> {
+        Solid::cuboid(self.half_extents)
+    }
+}
+
+impl<S: Scalar> Shape<S> for Cuboid<S> {
+    #[inline]
+    fn aabb(&self, pose: &Pose<S>) -> Aabb<S> {
+        let [x, y, z] = pose.rotation.rows;
+        Aabb::around(pose.position, self.half_extents.through([x.magnitudes(), y.magnitudes(), z.magnitudes()]))
+    }
+
+    #[inline(always)]
+    fn inner_radius(&self) -> S {
+        let Vec3 { x, y, z } = self.half_extents;
+        min(min(x, y), z)
+    }
+
+    #[inline]
+    fn cast_ray(&self, pose: &Pose<S>, ray: &Ray<S>) -> Option<RayHit<S>> {
+        query::cast(self, pose, ray)
+    }
+
+    #[inline]
+    fn closest_point(&self, pose: &Pose<S>, point: Vec3<S>) -> Option<SurfacePoint<S>> {
+        query::closest_point(self, pose, point)
+    }
+}
