@@ -23,15 +23,18 @@ const RIDGE: u32 = 8;
 /// The edge of a ridge pushes where a triangle does not, and this power of two beyond: rather twice than not at all.
 const BEYOND: u32 = 12;
 
+/// The direction from a shape to an edge, and the ends of the part of the edge that is (nearly) as close as any, with their
+/// distances from the points without their radius.
+type Beside<S> = (Vec3<<S as Scalar>::Unit>, [(Vec3<S>, S); 2]);
+
 /// A shape that meets a surface: some points with a radius around them, and what is closest to an edge.
 pub(super) trait OverSurface<S: Scalar>: Shape<S> {
     /// The points by number, in the shape's frame.
     fn point(&self, index: u8) -> Option<Vec3<S>>;
     /// Around each of them.
     fn radius(&self) -> S;
-    /// What is closest to an edge, in the shape's frame: the direction from the shape to it, and the ends of the part that is
-    /// (nearly) as close as any, with their distances from the points without their radius.
-    fn beside(&self, edge: &Segment<S>) -> Option<(Vec3<S::Unit>, [(Vec3<S>, S); 2])>;
+    /// What is closest to an edge, in the shape's frame.
+    fn beside(&self, edge: &Segment<S>) -> Option<Beside<S>>;
 }
 
 /// A shape over a field, in the field's frame.
