@@ -29,9 +29,16 @@ pub(super) trait OverSurface<S: Scalar>: Shape<S> {
     fn point(&self, index: u8) -> Option<Vec3<S>>;
     /// Around each of them.
     fn radius(&self) -> S;
-    /// What is closest to an edge, in the shape's frame: the direction from the shape to it, and the ends of the part that is
-    /// (nearly) as close as any, with their distances from the points without their radius.
-    fn beside(&self, edge: &Segment<S>) -> Option<(Vec3<S::Unit>, [(Vec3<S>, S); 2])>;
+    /// What is closest to an edge, in the shape's frame.
+    fn beside(&self, edge: &Segment<S>) -> Option<Beside<S>>;
+}
+
+/// Where an edge passes a shape.
+pub(super) struct Beside<S: Scalar> {
+    /// From the shape to the edge.
+    direction: Vec3<S::Unit>,
+    /// The ends of the part that is as close as any, with their distances from the shape without its radius.
+    ends: [(Vec3<S>, S); 2],
 }
 
 /// A shape over a field, in the field's frame.
@@ -119,7 +126,7 @@ impl<'a, S: Scalar, T: OverSurface<S>> Over<'a, S, T> {
         // One more: a triangle has the edges at its left and below it.
         for row in first_row..=last_row.wrapping_add(1) {
             for column in first_column..=last_column.wrapping_add(1) {
-                for above in [false, true] {
+                for &above in &[false, true] {
                     self.on_triangle((column, row, above), gather);
                 }
             }
@@ -136,8 +143,10 @@ impl<'a, S: Scalar, T: OverSurface<S>> Over<'a, S, T> {
             self.on_point(&triangle, self.pose.to_world(point), index, gather);
             index = index.wrapping_add(1);
         }
-        for (number, side) in sides(&triangle, (column, row, above)).into_iter().enumerate() {
-            self.on_side(&triangle, &side, number, gather);
+        let mut number = 0;
+        for side in &sides(&triangle, (column, row, above)) {
+            self.on_side(&triangle, side, number, gather);
+            number = number.wrapping_add(1);
         }
     }
 
@@ -155,7 +164,7 @@ impl<'a, S: Scalar, T: OverSurface<S>> Over<'a, S, T> {
     }
 
     /// The edge pushes if it is a ridge or the field ends there; of the two triangles at a ridge, the first one asks.
-    fn on_side(&self, triangle: &Triangle<S>, side: &Side<S>, number: usize, gather: &mut impl Gather<S>) {
+    fn on_side(&self, triangle: &Triangle<S>, side: &Side<S>, number: u16, gather: &mut impl Gather<S>) {
         let [from, to] = side.ends;
         let (column, row, above) = side.next;
         let next = match self.field.point(side.opposite[0], side.opposite[1]) {
@@ -179,8 +188,8 @@ impl<'a, S: Scalar, T: OverSurface<S>> Over<'a, S, T> {
             axis: self.pose.rotation.transposed().times(along),
             half,
         };
-        let Some((away, ends)) = self.shape.beside(&edge) else { return };
-        let normal = S::opposite(&self.pose.rotation.times(away));
+        let Some(Beside { direction, ends }) = self.shape.beside(&edge) else { return };
+        let normal = S::opposite(&self.pose.rotation.times(direction));
         let slack = S::Unit::ONE.lowered_by(BEYOND).negated();
         if normal.dot(along.cross(triangle.normal)) < slack || normal.dot(triangle.normal) < slack {
             return;
@@ -190,12 +199,14 @@ impl<'a, S: Scalar, T: OverSurface<S>> Over<'a, S, T> {
                 return;
             }
         }
-        for (end, (place, height)) in ends.into_iter().enumerate() {
+        let mut feature = 256 | number;
+        for &(place, height) in &ends {
             let separation = height.minus(self.shape.radius());
             if separation <= self.margin {
                 let middle = self.pose.to_world(place) + Vec3::of_length(separation.lowered_by(1), normal);
-                gather.add(Touch { normal, middle, separation, feature: 256 | (end as u16) << 4 | number as u16 });
+                gather.add(Touch { normal, middle, separation, feature });
             }
+            feature = feature.wrapping_add(16);
         }
     }
 }

@@ -200,7 +200,8 @@ macro_rules! float_scalar {
             #[inline]
             fn integer_below(self) -> i32 {
                 const END: i32 = 1 << 30;
-                if !(self > $int(-END)) {
+                // A NaN becomes zero below.
+                if self < $int(-END) {
                     return -END;
                 }
                 if self >= $int(END) {

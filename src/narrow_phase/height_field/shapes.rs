@@ -1,6 +1,6 @@
 //! The points of each shape, and what of it is closest to an edge.
 
-use super::{OverSurface, Polytope, Segment};
+use super::{Beside, OverSurface, Polytope, Segment};
 use crate::math::Vec3;
 use crate::narrow_phase::capsule_hull::{Core, core, part_along_face};
 use crate::narrow_phase::segment::between;
@@ -8,8 +8,8 @@ use crate::scalar::Scalar;
 use crate::shape::{Capsule, ConvexHull, Cuboid, Sphere};
 
 /// One place of the edge.
-fn one<S: Scalar>(direction: Vec3<S::Unit>, place: Vec3<S>, distance: S) -> Option<(Vec3<S::Unit>, [(Vec3<S>, S); 2])> {
-    Some((direction, [(place, distance), (place, S::LARGEST)]))
+fn one<S: Scalar>(direction: Vec3<S::Unit>, place: Vec3<S>, distance: S) -> Option<Beside<S>> {
+    Some(Beside { direction, ends: [(place, distance), (place, S::LARGEST)] })
 }
 
 impl<S: Scalar> OverSurface<S> for Sphere<S> {
@@ -21,7 +21,7 @@ impl<S: Scalar> OverSurface<S> for Sphere<S> {
         Sphere::radius(self)
     }
 
-    fn beside(&self, edge: &Segment<S>) -> Option<(Vec3<S::Unit>, [(Vec3<S>, S); 2])> {
+    fn beside(&self, edge: &Segment<S>) -> Option<Beside<S>> {
         let place = edge.at(edge.project(Vec3::ZERO));
         let (direction, distance) = S::direction3(place.to_array())?;
         one(Vec3::from_array(direction), place, distance)
@@ -42,7 +42,7 @@ impl<S: Scalar> OverSurface<S> for Capsule<S> {
         Capsule::radius(self)
     }
 
-    fn beside(&self, edge: &Segment<S>) -> Option<(Vec3<S::Unit>, [(Vec3<S>, S); 2])> {
+    fn beside(&self, edge: &Segment<S>) -> Option<Beside<S>> {
         let axis = Vec3::new(S::Unit::ZERO, S::Unit::ZERO, S::Unit::ONE);
         let own = Segment { middle: Vec3::ZERO, axis, half: self.half_length() };
         let places = own.closest(edge);
@@ -53,10 +53,7 @@ impl<S: Scalar> OverSurface<S> for Capsule<S> {
 }
 
 /// The edge as a capsule without a radius.
-fn beside_polytope<S: Scalar>(
-    polytope: &impl Polytope<S>,
-    edge: &Segment<S>,
-) -> Option<(Vec3<S::Unit>, [(Vec3<S>, S); 2])> {
+fn beside_polytope<S: Scalar>(polytope: &impl Polytope<S>, edge: &Segment<S>) -> Option<Beside<S>> {
     let Core { normal, height, place } = core(polytope, edge);
     match part_along_face(polytope, edge, normal) {
         Some((plane, [low, high])) => {
@@ -64,7 +61,7 @@ fn beside_polytope<S: Scalar>(
                 let place = edge.at(s);
                 (place, place.along(plane.normal).minus(plane.offset))
             };
-            Some((plane.normal, [end(low), end(high)]))
+            Some(Beside { direction: plane.normal, ends: [end(low), end(high)] })
         }
         None => one(normal, place, height),
     }
@@ -79,7 +76,7 @@ impl<S: Scalar> OverSurface<S> for Cuboid<S> {
         S::ZERO
     }
 
-    fn beside(&self, edge: &Segment<S>) -> Option<(Vec3<S::Unit>, [(Vec3<S>, S); 2])> {
+    fn beside(&self, edge: &Segment<S>) -> Option<Beside<S>> {
         beside_polytope(self, edge)
     }
 }
@@ -93,7 +90,7 @@ impl<S: Scalar, const N: usize> OverSurface<S> for &ConvexHull<S, N> {
         S::ZERO
     }
 
-    fn beside(&self, edge: &Segment<S>) -> Option<(Vec3<S::Unit>, [(Vec3<S>, S); 2])> {
+    fn beside(&self, edge: &Segment<S>) -> Option<Beside<S>> {
         beside_polytope(*self, edge)
     }
 }
