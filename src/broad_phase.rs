@@ -116,12 +116,17 @@ impl<M: AsMut<[u16]>> SweepAndPrune<M> {
                 }
             }
         }
-        for (index, extra) in boxes.iter().enumerate().skip(*len) {
-            for (other, earlier) in boxes.iter().enumerate().take(index) {
+        // What there is no memory for, with all that come before it.
+        let mut index = *len;
+        while let Some(extra) = boxes.get(index) {
+            let mut other = 0;
+            for earlier in boxes.get(..index).unwrap_or(&[]) {
                 if extra.overlaps(earlier) {
-                    sink.pair(other as u16, index as u16);
+                    sink.pair(other, index as u16);
                 }
+                other = other.wrapping_add(1);
             }
+            index = index.wrapping_add(1);
         }
     }
 
@@ -141,8 +146,10 @@ impl<M: AsMut<[u16]>> SweepAndPrune<M> {
                 }
             }
         }
-        for (index, place) in order.iter_mut().enumerate().take(count).skip(self.len) {
-            *place = index as u16;
+        let mut number = self.len as u16;
+        for place in order.get_mut(self.len..count).unwrap_or_default() {
+            *place = number;
+            number = number.wrapping_add(1);
         }
         self.len = count;
     }
@@ -162,7 +169,7 @@ fn widest<S: Scalar>(boxes: &[Aabb<S>], present: Axis) -> Axis {
     let spread = high - low;
     let mut best = present;
     let mut bar = present.of(&spread).plus(present.of(&spread));
-    for axis in [Axis::X, Axis::Y, Axis::Z] {
+    for &axis in &[Axis::X, Axis::Y, Axis::Z] {
         if axis.of(&spread) > bar {
             (best, bar) = (axis, axis.of(&spread));
         }

@@ -44,6 +44,9 @@
 //! - [`Body`], [`Contact`], [`Material`]: what the kernel works on.
 //! - [`impulse`]: **the kernel**. From [`impulse::effective_mass`] over [`impulse::collision_impulse`] and
 //!   [`impulse::apply_impulse`] to [`impulse::resolve_collision_with_friction`].
+//! - [`Sphere`], [`HalfSpace`], [`Cuboid`], [`Capsule`], [`ConvexHull`], [`HeightField`]: shapes. [`Collide`] finds where two
+//!   touch, [`Shape`] answers rays and points, [`shapes!`] makes one type of those that a world holds, and [`SweepAndPrune`]
+//!   finds the pairs worth a look. Geometry knows neither velocities nor masses.
 //! - [`StateHash`]: one number to compare two machines by.
 //!
 //! # Conventions

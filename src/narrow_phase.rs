@@ -198,6 +198,16 @@ fn cycled<T: Copy>(v: Vec3<T>, axis: u8) -> Vec3<T> {
     }
 }
 
+/// The components with the first at that axis: the way back from `cycled`.
+#[inline(always)]
+fn uncycled<T: Copy>(v: Vec3<T>, axis: u8) -> Vec3<T> {
+    match axis {
+        0 => v,
+        1 => v.cycled().cycled(),
+        _ => v.cycled(),
+    }
+}
+
 /// Which of two shapes of a kind is taken first, by the way to the other: one order for both ways to ask, so that the answers
 /// mirror each other to the last bit.
 ///

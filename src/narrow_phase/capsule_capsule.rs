@@ -81,7 +81,7 @@ fn ordered<S: Scalar>(a: Placed<'_, S, Capsule<S>>, b: Placed<'_, S, Capsule<S>>
     let [radius_a, radius_b] = rods.radii;
     let mut deepest = S::LARGEST;
     out.clear();
-    for (feature, s) in [(1, ends[0]), (2, ends[1])] {
+    for &(feature, s) in &[(1, ends[0]), (2, ends[1])] {
         let from_a = rods.a.at(s);
         let gap = rods.b.at(rods.b.project(from_a)) - from_a;
         let separation = gap.along(normal).minus(radius_a).minus(radius_b);

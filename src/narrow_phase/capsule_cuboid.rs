@@ -3,7 +3,7 @@
 use super::point_cuboid::nearest_face;
 use super::segment::{Segment, cut};
 use super::segment_cuboid::nearest;
-use super::{Placed, cycled, point};
+use super::{Placed, cycled, point, uncycled};
 use crate::manifold::Manifold;
 use crate::math::{UnitVec3, Vec3, abs};
 use crate::scalar::Scalar;
@@ -34,7 +34,7 @@ fn least_translation<S: Scalar>(core: &Segment<S>, half: Vec3<S>) -> (Vec3<S::Un
     let (mut normal, mut best) = nearest_face(c, half + reach);
     let nil = S::Unit::ZERO;
     let crosses = [[nil, u.z.negated(), u.y], [u.z, nil, u.x.negated()], [u.y.negated(), u.x, nil]];
-    for across in crosses {
+    for &across in &crosses {
         if S::Unit::dot3(across, across) <= S::Unit::ONE.lowered_by(20) {
             continue;
         }
@@ -100,7 +100,7 @@ fn lying<S: Scalar>(
     let d = pose.position - capsule.1.position;
     let down = S::opposite(&pose.rotation.times(face.normal::<S>()));
     out.begin(down);
-    for (feature, s) in [(1, low), (2, high)] {
+    for &(feature, s) in &[(1, low), (2, high)] {
         let end = segment.at(s);
         let separation = face.height(end, half).minus(radius);
         if separation <= margin {
@@ -147,8 +147,7 @@ impl Face {
     fn normal<S: Scalar>(self) -> Vec3<S::Unit> {
         let one = if self.negative { S::Unit::ONE.negated() } else { S::Unit::ONE };
         let nil = S::Unit::ZERO;
-        // Cycled back: once more, and all three are round.
-        cycled(Vec3::new(one, nil, nil), (3 - self.axis) % 3)
+        uncycled(Vec3::new(one, nil, nil), self.axis)
     }
 
     fn height<S: Scalar>(self, p: Vec3<S>, half: Vec3<S>) -> S {
@@ -160,7 +159,7 @@ impl Face {
     fn below<S: Scalar>(self, segment: &Segment<S>, half: Vec3<S>) -> Option<[S; 2]> {
         let (c, u, h) = (self.first(segment.middle), self.first(segment.axis), self.first(half));
         let mut range = [segment.half.negated(), segment.half];
-        for (c, u, h) in [(c.y, u.y, h.y), (c.z, u.z, h.z)] {
+        for &(c, u, h) in &[(c.y, u.y, h.y), (c.z, u.z, h.z)] {
             range = cut(range, h.minus(c), u)?;
             range = cut(range, h.plus(c), u.negated())?;
         }

@@ -25,7 +25,7 @@ pub(super) fn manifold<S: Scalar>(
     let down = S::opposite(&up);
     let radius = capsule.0.radius();
     out.begin(down);
-    for (feature, end, rise) in [(0, end, rise), (1, -end, rise.negated())] {
+    for &(feature, end, rise) in &[(0, end, rise), (1, -end, rise.negated())] {
         let separation = height.plus(rise).minus(radius);
         if separation <= margin {
             let r = end + Vec3::of_length(radius.plus(separation.lowered_by(1)), down);

@@ -29,7 +29,7 @@ pub(super) fn core<S: Scalar>(hull: &impl Polytope<S>, core: &Segment<S>) -> Cor
     }
     let mut best = Core { height: S::LARGEST, ..inside };
     // An end over a face, or an edge beside the core.
-    for s in [core.half, core.half.negated()] {
+    for &s in &[core.half, core.half.negated()] {
         let place = core.at(s);
         let (face, height) = hull.highest_above(place);
         if let Some(plane) = hull.face(face).filter(|_| height < best.height) {
@@ -123,7 +123,7 @@ pub(super) fn manifold<S: Scalar, const N: usize>(
     };
     if let Some((plane, ends)) = part_along_face(*hull, &segment, normal) {
         out.begin(S::opposite(&pose.rotation.times(plane.normal)));
-        for (feature, s) in [(1, ends[0]), (2, ends[1])] {
+        for &(feature, s) in &[(1, ends[0]), (2, ends[1])] {
             let end = segment.at(s);
             let separation = end.along(plane.normal).minus(plane.offset).minus(radius);
             if separation <= margin {

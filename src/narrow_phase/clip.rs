@@ -107,8 +107,7 @@ impl<S: Scalar, const N: usize> Polygon<S, N> {
             lowest = min(lowest, corner.place.z);
         }
         let bound = lowest.plus(tolerance);
-        let deepest = corners.iter().enumerate().find(|(_, corner)| corner.place.z <= bound);
-        let Some((first, &Corner { place: a, .. })) = deepest else { return 15 };
+        let (first, a) = first_below(corners, bound);
         let (second, b) = largest(corners, |p| square(a, p));
         let (left, c) = largest(corners, |p| area(a, b, p));
         let (right, e) = largest(corners, |p| area(b, a, p));
@@ -119,8 +118,20 @@ impl<S: Scalar, const N: usize> Polygon<S, N> {
             let larger = if ab < bc { bc } else { ab };
             if larger < ca { ca } else { larger }
         });
-        1u32.wrapping_shl(first as u32) | second | third | fourth
+        first | second | third | fourth
     }
+}
+
+/// The first corner no higher than that: its bit and its place. There is one, unless a height is a NaN.
+fn first_below<S: Scalar>(corners: &[Corner<S>], bound: S) -> (u32, Vec3<S>) {
+    let mut bit = 1u32;
+    for corner in corners {
+        if corner.place.z <= bound {
+            return (bit, corner.place);
+        }
+        bit = bit.wrapping_shl(1);
+    }
+    (1, Vec3::ZERO)
 }
 
 /// The corner with the largest measure, the first of them: its bit and its place. There is one.
@@ -128,12 +139,14 @@ impl<S: Scalar, const N: usize> Polygon<S, N> {
 fn largest<S: Scalar>(corners: &[Corner<S>], measure: impl Fn(Vec3<S>) -> S::Wide) -> (u32, Vec3<S>) {
     let mut best = (1, Vec3::ZERO);
     let mut largest = None;
-    for (index, corner) in corners.iter().enumerate() {
+    let mut bit = 1u32;
+    for corner in corners {
         let measured = measure(corner.place);
         if largest.is_none_or(|largest| measured > largest) {
             largest = Some(measured);
-            best = (1u32.wrapping_shl(index as u32), corner.place);
+            best = (bit, corner.place);
         }
+        bit = bit.wrapping_shl(1);
     }
     best
 }

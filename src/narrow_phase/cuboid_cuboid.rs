@@ -3,7 +3,7 @@
 
 use super::clip::{Inside, Polygon};
 use super::segment::Segment;
-use super::{Placed, cycled, is_first, point};
+use super::{Placed, cycled, is_first, point, uncycled};
 use crate::manifold::Manifold;
 use crate::math::{Mat3, Pose, Vec3, abs, min};
 use crate::scalar::Scalar;
@@ -81,7 +81,7 @@ fn separating_axis<S: Scalar>(
                 if separation > margin {
                     return None;
                 }
-                kind = Axis::Edges(i, j, cycled(across, (3 - i) % 3));
+                kind = Axis::Edges(i, j, uncycled(across, i));
                 best = separation;
             }
             rows = [rows[0].cycled(), rows[1].cycled(), rows[2].cycled()];
@@ -293,7 +293,7 @@ fn turned<T: Copy>([x, y, z]: [T; 3], first: u8) -> [T; 3] {
 
 /// Leaves the part of the polygon over the rectangle, whose half extents are the second and third.
 fn clip<S: Scalar>(polygon: &mut Polygon<S, 8>, half: Vec3<S>) {
-    for (label, along_x, negative) in [(4, true, false), (5, true, true), (6, false, false), (7, false, true)] {
+    for &(label, along_x, negative) in &[(4, true, false), (5, true, true), (6, false, false), (7, false, true)] {
         polygon.cut(label, Side { along_x, negative, half: if along_x { half.y } else { half.z } });
     }
 }
@@ -303,7 +303,7 @@ fn edge<S: Scalar>(axis: u8, towards: Vec3<S::Unit>, half: Vec3<S>) -> (Vec3<S>,
     let (d, h) = (cycled(towards, axis), cycled(half, axis));
     let (y, z) = (d.y < S::Unit::ZERO, d.z < S::Unit::ZERO);
     let middle = Vec3::new(S::ZERO, if y { h.y.negated() } else { h.y }, if z { h.z.negated() } else { h.z });
-    (cycled(middle, (3 - axis) % 3), u16::from(y) << 1 | u16::from(z))
+    (uncycled(middle, axis), u16::from(y) << 1 | u16::from(z))
 }
 
 /// The two edges that cross, in A's frame, and their name.
@@ -314,7 +314,7 @@ fn crossing_edges<S: Scalar>(
 ) -> ([Segment<S>; 2], u16) {
     let (one, nil) = (S::Unit::ONE, S::Unit::ZERO);
     let (middle_a, name_a) = edge(i, across, a);
-    let of_a = Segment { middle: middle_a, axis: cycled(Vec3::new(one, nil, nil), (3 - i) % 3), half: cycled(a, i).x };
+    let of_a = Segment { middle: middle_a, axis: uncycled(Vec3::new(one, nil, nil), i), half: cycled(a, i).x };
     let (middle_b, name_b) = edge(j, S::opposite(&relative.rotation.transposed().times(across)), b);
     let axis = cycled(Vec3::from_array(relative.rotation.columns()), j).x;
     let middle = relative.in_a + middle_b.through(relative.rotation.rows);

@@ -72,16 +72,16 @@ pub(super) fn manifold<S: Scalar>(
     }
     // The steepest last: its upper end is left out.
     if i.drop > k.drop {
-        core::mem::swap(&mut i, &mut k);
+        (i, k) = (k, i);
     }
     if j.drop > k.drop {
-        core::mem::swap(&mut j, &mut k);
+        (j, k) = (k, j);
     }
     let down = S::opposite(&up);
     out.begin(down);
     let face = k.lower(Corner { r: Vec3::ZERO, height, number: 0 });
     let (low, high) = (i.lower(face), i.upper(face));
-    for corner in [j.lower(low), j.lower(high), j.upper(high), j.upper(low)] {
+    for corner in &[j.lower(low), j.lower(high), j.upper(high), j.upper(low)] {
         if corner.height <= margin {
             let r = corner.r + Vec3::of_length(corner.height.lowered_by(1), down);
             out.push(point(r, d, corner.height, corner.number));

@@ -23,10 +23,6 @@ const RIDGE: u32 = 8;
 /// The edge of a ridge pushes where a triangle does not, and this power of two beyond: rather twice than not at all.
 const BEYOND: u32 = 12;
 
-/// The direction from a shape to an edge, and the ends of the part of the edge that is (nearly) as close as any, with their
-/// distances from the points without their radius.
-type Beside<S> = (Vec3<<S as Scalar>::Unit>, [(Vec3<S>, S); 2]);
-
 /// A shape that meets a surface: some points with a radius around them, and what is closest to an edge.
 pub(super) trait OverSurface<S: Scalar>: Shape<S> {
     /// The points by number, in the shape's frame.
@@ -35,6 +31,14 @@ pub(super) trait OverSurface<S: Scalar>: Shape<S> {
     fn radius(&self) -> S;
     /// What is closest to an edge, in the shape's frame.
     fn beside(&self, edge: &Segment<S>) -> Option<Beside<S>>;
+}
+
+/// Where an edge passes a shape.
+pub(super) struct Beside<S: Scalar> {
+    /// From the shape to the edge.
+    direction: Vec3<S::Unit>,
+    /// The ends of the part that is as close as any, with their distances from the shape without its radius.
+    ends: [(Vec3<S>, S); 2],
 }
 
 /// A shape over a field, in the field's frame.
@@ -122,7 +126,7 @@ impl<'a, S: Scalar, T: OverSurface<S>> Over<'a, S, T> {
         // One more: a triangle has the edges at its left and below it.
         for row in first_row..=last_row.wrapping_add(1) {
             for column in first_column..=last_column.wrapping_add(1) {
-                for above in [false, true] {
+                for &above in &[false, true] {
                     self.on_triangle((column, row, above), gather);
                 }
             }
@@ -139,8 +143,10 @@ impl<'a, S: Scalar, T: OverSurface<S>> Over<'a, S, T> {
             self.on_point(&triangle, self.pose.to_world(point), index, gather);
             index = index.wrapping_add(1);
         }
-        for (number, side) in sides(&triangle, (column, row, above)).into_iter().enumerate() {
-            self.on_side(&triangle, &side, number, gather);
+        let mut number = 0;
+        for side in &sides(&triangle, (column, row, above)) {
+            self.on_side(&triangle, side, number, gather);
+            number = number.wrapping_add(1);
         }
     }
 
@@ -158,7 +164,7 @@ impl<'a, S: Scalar, T: OverSurface<S>> Over<'a, S, T> {
     }
 
     /// The edge pushes if it is a ridge or the field ends there; of the two triangles at a ridge, the first one asks.
-    fn on_side(&self, triangle: &Triangle<S>, side: &Side<S>, number: usize, gather: &mut impl Gather<S>) {
+    fn on_side(&self, triangle: &Triangle<S>, side: &Side<S>, number: u16, gather: &mut impl Gather<S>) {
         let [from, to] = side.ends;
         let (column, row, above) = side.next;
         let next = match self.field.point(side.opposite[0], side.opposite[1]) {
@@ -182,8 +188,8 @@ impl<'a, S: Scalar, T: OverSurface<S>> Over<'a, S, T> {
             axis: self.pose.rotation.transposed().times(along),
             half,
         };
-        let Some((away, ends)) = self.shape.beside(&edge) else { return };
-        let normal = S::opposite(&self.pose.rotation.times(away));
+        let Some(Beside { direction, ends }) = self.shape.beside(&edge) else { return };
+        let normal = S::opposite(&self.pose.rotation.times(direction));
         let slack = S::Unit::ONE.lowered_by(BEYOND).negated();
         if normal.dot(along.cross(triangle.normal)) < slack || normal.dot(triangle.normal) < slack {
             return;
@@ -193,12 +199,14 @@ impl<'a, S: Scalar, T: OverSurface<S>> Over<'a, S, T> {
                 return;
             }
         }
-        for (end, (place, height)) in ends.into_iter().enumerate() {
+        let mut feature = 256 | number;
+        for &(place, height) in &ends {
             let separation = height.minus(self.shape.radius());
             if separation <= self.margin {
                 let middle = self.pose.to_world(place) + Vec3::of_length(separation.lowered_by(1), normal);
-                gather.add(Touch { normal, middle, separation, feature: 256 | (end as u16) << 4 | number as u16 });
+                gather.add(Touch { normal, middle, separation, feature });
             }
+            feature = feature.wrapping_add(16);
         }
     }
 }

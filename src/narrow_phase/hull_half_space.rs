@@ -22,12 +22,14 @@ pub(super) fn manifold<S: Scalar, const N: usize>(
     let (x, y) = UnitVec3::<S>::from_unit(local_up).tangents();
     let rows = [x.get(), y.get(), local_up];
     let mut polygon = Polygon::<S, MAX_CORNERS>::EMPTY;
-    for (index, corner) in hull.corners().iter().enumerate() {
+    let mut index = 0u16;
+    for corner in hull.corners() {
         let rise = corner.along(local_up).plus(height);
         if rise <= margin {
             let place = corner.through(rows);
-            polygon.push(Vec3::new(place.x, place.y, rise), index as u16);
+            polygon.push(Vec3::new(place.x, place.y, rise), index);
         }
+        index = index.wrapping_add(1);
     }
     let mut chosen = polygon.four(hull.inner_radius().lowered_by(STEADY));
     let down = S::opposite(&up);

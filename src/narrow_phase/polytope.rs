@@ -1,7 +1,7 @@
 //! Convex polytopes as the narrow phase sees them: boxes and hulls.
 
-use super::cycled;
 use super::segment::Segment;
+use super::{cycled, uncycled};
 use crate::math::{Vec3, min};
 use crate::scalar::Scalar;
 use crate::shape::{ConvexHull, Cuboid};
@@ -123,15 +123,6 @@ impl<S: Scalar, const N: usize> Polytope<S> for ConvexHull<S, N> {
 fn axis<S: Scalar>(number: u8, negative: bool) -> Vec3<S::Unit> {
     let one = if negative { S::Unit::ONE.negated() } else { S::Unit::ONE };
     uncycled(Vec3::new(one, S::Unit::ZERO, S::Unit::ZERO), number)
-}
-
-/// The components with the first at that axis: the way back from `cycled`.
-fn uncycled<T: Copy>(v: Vec3<T>, axis: u8) -> Vec3<T> {
-    match axis {
-        0 => v,
-        1 => v.cycled().cycled(),
-        _ => v.cycled(),
-    }
 }
 
 fn signed<S: Scalar>(x: S, negative: bool) -> S {

@@ -224,7 +224,10 @@ fn over_face<S: Scalar>(
         let next = a.face_corner(face, side);
         let to = next.map_or(Vec3::ZERO, |corner| (corner - origin).through(frame.rows));
         if let Some(([x, y, _], _)) = S::direction3([to.x.minus(from.x), to.y.minus(from.y), S::ZERO]) {
-            polygon.cut(MAX_FACE_CORNERS as u16 + u16::from(side) - 1, Side { from, along: [x, y] });
+            polygon.cut(
+                (MAX_FACE_CORNERS as u16).wrapping_add(u16::from(side)).wrapping_sub(1),
+                Side { from, along: [x, y] },
+            );
         }
         if next.is_none() {
             break;

@@ -18,9 +18,9 @@ impl<S: Scalar> CastLocal<S> for Capsule<S> {
         let end = Vec3::new(S::ZERO, S::ZERO, self.half_length());
         let ends = [ball(ray, end, self.radius()), ball(ray, -end, self.radius())];
         let mut first = side(self, ray);
-        for hit in ends.into_iter().flatten() {
+        for hit in ends.iter().flatten() {
             if first.is_none_or(|first| hit.distance < first.distance) {
-                first = Some(hit);
+                first = Some(*hit);
             }
         }
         first

@@ -14,7 +14,8 @@ impl<S: Scalar> CastLocal<S> for Cuboid<S> {
         let mut normal = None;
         let (one, nil) = (S::Unit::ONE, S::Unit::ZERO);
         let axes = [Vec3::new(one, nil, nil), Vec3::new(nil, one, nil), Vec3::new(nil, nil, one)];
-        for ((o, d, h), axis) in [(o.x, d.x, h.x), (o.y, d.y, h.y), (o.z, d.z, h.z)].into_iter().zip(axes) {
+        let [x, y, z] = axes;
+        for &(o, d, h, axis) in &[(o.x, d.x, h.x, x), (o.y, d.y, h.y, y), (o.z, d.z, h.z, z)] {
             // As if it came from the positive side.
             let against = if d > nil { S::opposite(&axis) } else { axis };
             let o = if d > nil { o.negated() } else { o };

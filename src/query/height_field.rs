@@ -14,7 +14,7 @@ impl<S: Scalar> CastLocal<S> for HeightField<'_, S> {
         let mut best: Option<LocalHit<S>> = None;
         for row in first_row..=last_row {
             for column in first_column..=last_column {
-                for above in [false, true] {
+                for &above in &[false, true] {
                     let Some(triangle) = self.triangle(column, row, above) else { continue };
                     let Some(hit) = on_triangle(&triangle, ray) else { continue };
                     if best.is_none_or(|best| hit.distance < best.distance) {

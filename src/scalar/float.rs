@@ -200,13 +200,12 @@ macro_rules! float_scalar {
             #[inline]
             fn integer_below(self) -> i32 {
                 const END: i32 = 1 << 30;
+                // A NaN becomes zero below.
+                if self < $int(-END) {
+                    return -END;
+                }
                 if self >= $int(END) {
                     return END;
-                }
-                // A NaN, too, is below.
-                let inside = self > $int(-END);
-                if !inside {
-                    return -END;
                 }
                 let cut = $cut(self);
                 if $int(cut) > self { cut.wrapping_sub(1) } else { cut }

@@ -119,7 +119,16 @@ impl<'a, S: Scalar> HeightField<'a, S> {
         let [x, y] = self.corner;
         let (corner, points) = if along_y { (y, self.rows) } else { (x, self.columns) };
         let last = i32::from(points).wrapping_sub(2);
-        let cell = |x: S| x.minus(corner).over(self.spacing).integer_below().clamp(0, last);
+        let cell = |x: S| {
+            let cell = x.minus(corner).over(self.spacing).integer_below();
+            if cell < 0 {
+                0
+            } else if cell > last {
+                last
+            } else {
+                cell
+            }
+        };
         [cell(low), cell(high)]
     }
 

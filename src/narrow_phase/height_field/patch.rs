@@ -59,10 +59,15 @@ impl<S: Scalar> Patch<S> {
         let chosen = polygon.four(S::STEP);
         let all = self.points;
         self.points = [None; POINTS];
-        let kept =
-            all.into_iter().flatten().enumerate().filter(|(index, _)| chosen.wrapping_shr(*index as u32) & 1 == 1);
-        for (free, (_, touch)) in self.points.iter_mut().zip(kept) {
-            *free = Some(touch);
+        let mut bits = chosen;
+        let mut free = self.points.iter_mut();
+        for touch in all.iter().flatten() {
+            if bits & 1 == 1 {
+                if let Some(free) = free.next() {
+                    *free = Some(*touch);
+                }
+            }
+            bits >>= 1;
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::shape::{Capsule, ConvexHull, Cuboid, Sphere};
 
 /// One place of the edge.
 fn one<S: Scalar>(direction: Vec3<S::Unit>, place: Vec3<S>, distance: S) -> Option<Beside<S>> {
-    Some((direction, [(place, distance), (place, S::LARGEST)]))
+    Some(Beside { direction, ends: [(place, distance), (place, S::LARGEST)] })
 }
 
 impl<S: Scalar> OverSurface<S> for Sphere<S> {
@@ -61,7 +61,7 @@ fn beside_polytope<S: Scalar>(polytope: &impl Polytope<S>, edge: &Segment<S>) ->
                 let place = edge.at(s);
                 (place, place.along(plane.normal).minus(plane.offset))
             };
-            Some((plane.normal, [end(low), end(high)]))
+            Some(Beside { direction: plane.normal, ends: [end(low), end(high)] })
         }
         None => one(normal, place, height),
     }

@@ -117,7 +117,7 @@ fn apart<S: Scalar>(a: &impl Polytope<S>, b: &impl Polytope<S>, relative: &Relat
     }
     // Near the ends of an edge several are equally far to all digits, and what lies between its ends is right.
     let mut best = corners;
-    for other in [passing, crossing, over_faces] {
+    for &other in &[passing, crossing, over_faces] {
         if other.separation <= best.separation.plus(noise(best.separation)) {
             best = other;
         }
