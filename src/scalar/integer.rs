@@ -193,7 +193,7 @@ const INVERSE_ROOT_SEED: [u8; 64] = {
     table
 };
 
-/// `2^46 / sqrt(a)` for `a >= 2^30`, between 2^30 and 2^31; off by at most 2^-24 in relative terms.
+/// `2^46 / sqrt(a)` for `a >= 2^30`, between 2^30 and 2^31; off by at most 2^-22 in relative terms, next to a = 2^30.
 #[inline(always)]
 pub(crate) fn inverse_root(a: u32) -> u32 {
     let y0 = INVERSE_ROOT_SEED[(a >> 26) as usize] as u32 | 256;
