@@ -4,7 +4,7 @@
 //! one of the shapes: the positions are subtracted first, so that far from the origin nothing is lost but what the positions
 //! themselves lack.
 
-use crate::manifold::{FeatureId, ManifoldPoint};
+use crate::manifold::{FeatureId, Manifold, ManifoldPoint};
 use crate::math::{Pose, Vec3};
 use crate::scalar::Scalar;
 use crate::shape::{Capsule, Closest, Collide, ConvexHull, Cuboid, HalfSpace, HeightField, ManifoldSink, Sphere};
@@ -23,6 +23,7 @@ mod hull_hull;
 mod point_cuboid;
 mod polytope;
 mod polytope_polytope;
+mod rod;
 mod round;
 mod segment;
 mod segment_cuboid;
@@ -217,6 +218,33 @@ fn is_first<S: Scalar>(d: Vec3<S>) -> bool {
     let side = d.x.plus(d.y.plus(d.z.lowered_by(2)).lowered_by(2));
     let zero = S::ZERO;
     side > zero || (side == zero && (d.z > zero || (d.z == zero && d.y >= zero)))
+}
+
+/// The manifold of two shapes of a kind, from a function that takes them in the order of [`is_first`].
+#[inline(always)]
+fn manifold_in_order<S: Scalar, T>(
+    a: Placed<'_, S, T>,
+    b: Placed<'_, S, T>,
+    margin: S,
+    out: &mut Manifold<S>,
+    ordered: impl FnOnce(Placed<'_, S, T>, Placed<'_, S, T>, S, &mut Manifold<S>),
+) {
+    if is_first(b.1.position - a.1.position) {
+        ordered(a, b, margin, out);
+    } else {
+        ordered(b, a, margin, out);
+        out.swap();
+    }
+}
+
+/// The distance of two shapes of a kind, likewise.
+#[inline(always)]
+fn closest_in_order<S: Scalar, T>(
+    a: Placed<'_, S, T>,
+    b: Placed<'_, S, T>,
+    ordered: impl FnOnce(Placed<'_, S, T>, Placed<'_, S, T>) -> Closest<S>,
+) -> Closest<S> {
+    if is_first(b.1.position - a.1.position) { ordered(a, b) } else { ordered(b, a).swapped() }
 }
 
 /// Up to this, distances that were computed in different ways may be the same.

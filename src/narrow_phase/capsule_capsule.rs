@@ -2,7 +2,7 @@
 
 use super::round::Cores;
 use super::segment::Segment;
-use super::{Placed, is_first, point};
+use super::{Placed, closest_in_order, manifold_in_order, point};
 use crate::manifold::Manifold;
 use crate::math::{Vec3, max, min};
 use crate::scalar::Scalar;
@@ -20,20 +20,11 @@ pub(super) fn manifold<S: Scalar>(
     margin: S,
     out: &mut Manifold<S>,
 ) {
-    if is_first(b.1.position - a.1.position) {
-        ordered(a, b, margin, out);
-    } else {
-        ordered(b, a, margin, out);
-        out.swap();
-    }
+    manifold_in_order(a, b, margin, out, ordered);
 }
 
 pub(super) fn closest<S: Scalar>(a: Placed<'_, S, Capsule<S>>, b: Placed<'_, S, Capsule<S>>) -> Closest<S> {
-    if is_first(b.1.position - a.1.position) {
-        Rods::new(a, b).cores().closest()
-    } else {
-        Rods::new(b, a).cores().closest().swapped()
-    }
+    closest_in_order(a, b, |a, b| Rods::new(a, b).cores().closest())
 }
 
 /// The cores of both, from the origin of the first.

@@ -1,26 +1,13 @@
 //! A capsule and a hull: a point, or two where the capsule lies along a face.
 
+use super::Placed;
 use super::polytope::{Plane, Polytope};
+use super::rod::{ALONG_FACE, Core, Rod, lies_along};
 use super::segment::{Segment, between, cut};
-use super::{Placed, point};
 use crate::manifold::Manifold;
-use crate::math::{UnitVec3, Vec3, abs};
+use crate::math::Vec3;
 use crate::scalar::Scalar;
 use crate::shape::{Capsule, Closest, ConvexHull};
-
-/// A normal whose cosine with a face's lacks less than this power of two of one, 1.3 degrees, is taken for the face's.
-const ALONG_FACE: u32 = 12;
-/// A capsule whose axis leans less than this power of two out of a face, 3.6 degrees, lies along it.
-const LYING: u32 = 4;
-
-/// What is closest in the hull's frame: the direction from the hull to the core of the capsule, how far away that is (negative
-/// where the core pierces the hull), and the point of the core.
-#[derive(Clone, Copy)]
-pub(super) struct Core<S: Scalar> {
-    pub normal: Vec3<S::Unit>,
-    pub height: S,
-    pub place: Vec3<S>,
-}
 
 pub(super) fn core<S: Scalar>(hull: &impl Polytope<S>, core: &Segment<S>) -> Core<S> {
     let inside = least_translation(hull, core);
@@ -91,50 +78,15 @@ fn least_translation<S: Scalar>(hull: &impl Polytope<S>, core: &Segment<S>) -> C
     best
 }
 
-/// The core in the hull's frame, and the way from the capsule's origin to the hull's.
-#[inline(always)]
-fn relative<S: Scalar, const N: usize>(
-    (capsule, pose): Placed<'_, S, Capsule<S>>,
-    (_, hull_pose): Placed<'_, S, &ConvexHull<S, N>>,
-) -> (Segment<S>, Vec3<S>) {
-    let d = hull_pose.position - pose.position;
-    let [_, _, axis] = pose.rotation.columns();
-    let axis = hull_pose.rotation.transposed().times(axis);
-    (Segment { middle: -hull_pose.unrotate(d), axis, half: capsule.half_length() }, d)
-}
-
 pub(super) fn manifold<S: Scalar, const N: usize>(
     capsule: Placed<'_, S, Capsule<S>>,
-    hull: Placed<'_, S, &ConvexHull<S, N>>,
+    (hull, pose): Placed<'_, S, &ConvexHull<S, N>>,
     margin: S,
     out: &mut Manifold<S>,
 ) {
-    let (segment, d) = relative(capsule, hull);
-    let (radius, (hull, pose)) = (capsule.0.radius(), hull);
-    let Core { normal, height, place } = core(*hull, &segment);
-    let separation = height.minus(radius);
-    if separation > margin {
-        return;
-    }
-    let push = |out: &mut Manifold<S>, place: Vec3<S>, separation: S, feature: u16| {
-        let down = out.normal.get();
-        let r = pose.rotate(place) + d + Vec3::of_length(radius.plus(separation.lowered_by(1)), down);
-        out.push(point(r, d, separation, feature));
-    };
-    if let Some((plane, ends)) = part_along_face(*hull, &segment, normal) {
-        out.begin(S::opposite(&pose.rotation.times(plane.normal)));
-        for &(feature, s) in &[(1, ends[0]), (2, ends[1])] {
-            let end = segment.at(s);
-            let separation = end.along(plane.normal).minus(plane.offset).minus(radius);
-            if separation <= margin {
-                push(out, end, separation, feature);
-            }
-        }
-    }
-    if out.is_empty() {
-        out.begin(S::opposite(&pose.rotation.times(normal)));
-        push(out, place, separation, 0);
-    }
+    let rod = Rod::new(capsule, pose);
+    let over_face = |normal| part_along_face(*hull, &rod.segment, normal);
+    rod.manifold(core(*hull, &rod.segment), over_face, margin, out);
 }
 
 /// The part of a segment over the face that it lies along, if `normal` is that of a face.
@@ -143,7 +95,7 @@ pub(super) fn part_along_face<S: Scalar>(
     segment: &Segment<S>,
     normal: Vec3<S::Unit>,
 ) -> Option<(Plane<S>, [S; 2])> {
-    if abs(segment.axis.dot(normal)) > S::Unit::ONE.lowered_by(LYING) {
+    if !lies_along(segment, normal) {
         return None;
     }
     let (face, plane) = along_face(hull, normal)?;
@@ -185,16 +137,8 @@ fn over<S: Scalar>(hull: &impl Polytope<S>, face: u8, plane: &Plane<S>, segment:
 
 pub(super) fn closest<S: Scalar, const N: usize>(
     capsule: Placed<'_, S, Capsule<S>>,
-    hull: Placed<'_, S, &ConvexHull<S, N>>,
+    (hull, pose): Placed<'_, S, &ConvexHull<S, N>>,
 ) -> Closest<S> {
-    let (segment, d) = relative(capsule, hull);
-    let Core { normal, height, place } = core(*hull.0, &segment);
-    let down = S::opposite(&hull.1.rotation.times(normal));
-    let from_a = hull.1.rotate(place) + d;
-    Closest {
-        normal: UnitVec3::from_unit(down),
-        separation: height.minus(capsule.0.radius()),
-        r_a: from_a + Vec3::of_length(capsule.0.radius(), down),
-        r_b: from_a - d + Vec3::of_length(height, down),
-    }
+    let rod = Rod::new(capsule, pose);
+    rod.closest(core(*hull, &rod.segment))
 }

@@ -3,7 +3,7 @@
 
 use super::clip::{Inside, Polygon};
 use super::segment::Segment;
-use super::{Placed, cycled, is_first, point, uncycled};
+use super::{Placed, closest_in_order, cycled, manifold_in_order, point, uncycled};
 use crate::manifold::Manifold;
 use crate::math::{Mat3, Pose, Vec3, abs, min};
 use crate::scalar::Scalar;
@@ -156,12 +156,7 @@ pub(super) fn manifold<S: Scalar>(
     margin: S,
     out: &mut Manifold<S>,
 ) {
-    if is_first(b.1.position - a.1.position) {
-        ordered(a, b, margin, out);
-    } else {
-        ordered(b, a, margin, out);
-        out.swap();
-    }
+    manifold_in_order(a, b, margin, out, ordered);
 }
 
 #[inline(never)]
@@ -330,13 +325,6 @@ fn crossing<S: Scalar>(
     out: &mut Manifold<S>,
 ) {
     let ([a, b], name) = crossing_edges(half, relative, (i, j, across));
-    let [s, t] = a.closest(&b);
-    let normal = pose_a.rotation.times(across);
-    // Halfway between the two, also where one of them ends before it meets the other.
-    let (from, to) = (a.at(s), b.at(t));
-    let half = |a: S, b: S| b.minus(a).lowered_by(1);
-    let middle = from + Vec3::new(half(from.x, to.x), half(from.y, to.y), half(from.z, to.z));
-    let r = pose_a.rotate(middle);
-    out.begin(normal);
-    out.push(point(r, relative.d, separation, name));
+    out.begin(pose_a.rotation.times(across));
+    out.push(point(pose_a.rotate(a.crossing(&b)), relative.d, separation, name));
 }

@@ -134,10 +134,8 @@ impl<'a, S: Scalar, T: OverSurface<S>> Over<'a, S, T> {
     }
 
     fn on_triangle(&self, (column, row, above): (i32, i32, bool), gather: &mut impl Gather<S>) {
-        let Some(triangle) = self.field.triangle(column, row, above) else {
-            // Beyond the last row or column there is no triangle, but the edge of the one before.
-            return;
-        };
+        // Beyond the last row or column there is none.
+        let Some(triangle) = self.field.triangle(column, row, above) else { return };
         let mut index = 0;
         while let Some(point) = self.shape.point(index) {
             self.on_point(&triangle, self.pose.to_world(point), index, gather);

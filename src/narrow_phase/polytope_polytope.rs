@@ -167,12 +167,9 @@ pub(super) fn manifold<S: Scalar, A: Polytope<S>, B: Polytope<S>>(
         Axis::Edges(i, j, across) => {
             let Some((of_a, of_b)) = a.edge(i).zip(b.edge(j)) else { return };
             let (of_a, of_b) = (of_a.segment(), relative.edge(&of_b).segment());
-            let [s, t] = of_a.closest(&of_b);
-            let (from, to) = (of_a.at(s), of_b.at(t));
-            let half = |a: S, b: S| b.minus(a).lowered_by(1);
-            let middle = from + Vec3::new(half(from.x, to.x), half(from.y, to.y), half(from.z, to.z));
+            let r = pose_a.rotate(of_a.crossing(&of_b));
             out.begin(pose_a.rotation.times(across));
-            out.push(point(pose_a.rotate(middle), relative.d, separation, 1 << 14 | u16::from(i) << 7 | u16::from(j)));
+            out.push(point(r, relative.d, separation, 1 << 14 | u16::from(i) << 7 | u16::from(j)));
         }
     }
 }

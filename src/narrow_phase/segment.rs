@@ -46,6 +46,14 @@ impl<S: Scalar> Segment<S> {
         let t = other.project(self.at(s));
         [self.project(other.at(t)), t]
     }
+
+    /// Halfway between two segments where they are closest, also where one of them ends before it meets the other.
+    pub fn crossing(&self, other: &Self) -> Vec3<S> {
+        let [s, t] = self.closest(other);
+        let from = self.at(s);
+        let Vec3 { x, y, z } = other.at(t) - from;
+        from + Vec3::new(x.lowered_by(1), y.lowered_by(1), z.lowered_by(1))
+    }
 }
 
 /// The direction from a place on the first segment to one on the second, and the distance. `None` where they are one.

@@ -20,8 +20,8 @@ pub struct FloatArm<T> {
     pub(super) turn: [Vec3<T>; 3],
 }
 
-/// Implements `Scalar` and `Scaled` for a float: `$sqrt` is its square root, `$int` makes one of an `i32`, `$cut` the other way, `$bits` gives
-/// the stored bits, `$power` is two to an exponent that is in the normal range.
+/// Implements `Scalar` and `Scaled` for a float: `$sqrt` is its square root, `$int` makes one of an `i32`, `$cut` the other way,
+/// `$bits` gives the stored bits, `$power` is two to an exponent that is in the normal range.
 macro_rules! float_scalar {
     ($float:ty, sqrt: $sqrt:expr, int: $int:expr, cut: $cut:expr, bits: $bits:expr, power: $power:expr, max_exponent: $max_exponent:expr,
      zero: $zero:expr, one: $one:expr, largest: $largest:expr, pi: $pi:expr, epsilon: $epsilon:expr, small: $small:expr,
@@ -158,19 +158,12 @@ macro_rules! float_scalar {
 
             #[inline]
             fn normalize3(v: [Self; 3]) -> Option<[Self; 3]> {
-                // Only where the squares could leave the range is the vector scaled by a power of two first.
-                let scale = moderate(v);
-                let v = [v[0] * scale, v[1] * scale, v[2] * scale];
-                let length = <Self as $crate::scalar::Scalar>::length3(v);
-                if length > $zero && $finite(length) {
-                    Some([v[0] / length, v[1] / length, v[2] / length])
-                } else {
-                    None
-                }
+                Self::direction3(v).map(|(direction, _)| direction)
             }
 
             #[inline]
             fn direction3(v: [Self; 3]) -> Option<([Self; 3], Self)> {
+                // Only where the squares could leave the range is the vector scaled by a power of two first.
                 let scale = moderate(v);
                 let v = [v[0] * scale, v[1] * scale, v[2] * scale];
                 let length = <Self as $crate::scalar::Scalar>::length3(v);

@@ -11,10 +11,10 @@ pub use self::checker::{Checker, Found, Kernel, Pair, kernel};
 #[allow(unused_imports)] // Tests have a use for all of them.
 pub use self::shape::{Placed, Shape, Solid, separation};
 
-use super::error::{Error, Result};
+use super::error::Result;
 use super::number::{Job, Number};
 use super::output::Output;
-use super::progress::Progress;
+use super::progress::each_row;
 use super::report::{Report, failed, problem, tables, tolerances};
 use super::table::{Row, Table, quoted};
 use super::tolerances::File;
@@ -100,14 +100,7 @@ pub fn read(file: &Path, mut each: impl FnMut(Pair) -> Result<()>) -> Result<()>
     let mut table = Table::open(file)?;
     let columns =
         Columns(table.columns(["id", "A", "B", "sizeA", "sizeB", "posA", "posB", "quatA", "quatB", "dist", "normal"])?);
-    let mut progress = Progress::new();
-    let mut rows = 0;
-    while let Some(row) = table.next_row()? {
-        each(columns.read(row)?)?;
-        rows += 1;
-        progress.advance(&table);
-    }
-    if rows == 0 { Err(Error::of_file(file, "has no rows")) } else { Ok(()) }
+    each_row(&mut table, |row| each(columns.read(row)?))
 }
 
 /// Where everything is.

@@ -200,5 +200,10 @@ pub const TABLE: &[Tolerance] = &[
     entry(GEOMETRY, I12, Q::Normal, All, 6e-5, Found, "the same, with 7e-7"),
     entry(GEOMETRY, I8, Q::Normal, All, 4e-6, Found, "the same, with 4e-8"),
     entry(GEOMETRY, MICROMATH, Q::Normal, All, 5e-6, Found, "its root"),
-    entry(GEOMETRY, ALL, Q::Contact, All, 6e-5, Found, "two units of the last place of i16f16"),
+    entry(GEOMETRY, F32, Q::Contact, All, 6e-7, Found, "a few roundings of numbers near 2"),
+    entry(GEOMETRY, F64, Q::Contact, All, 1e-12, Found, "the file has twelve digits"),
+    entry(GEOMETRY, I16, Q::Contact, All, 4e-5, Found, UNITS),
+    entry(GEOMETRY, I12, Q::Contact, All, 2.5e-6, Found, UNITS),
+    entry(GEOMETRY, I8, Q::Contact, All, 2e-7, Found, UNITS),
+    entry(GEOMETRY, MICROMATH, Q::Contact, All, 5e-6, Found, "its root, of lengths up to 2"),
 ];

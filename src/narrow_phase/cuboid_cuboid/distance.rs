@@ -5,7 +5,7 @@
 
 use super::super::point_cuboid::{direction, outside};
 use super::super::segment_cuboid::{Near, nearest};
-use super::{Axis, Placed, Relative, Segment, crossing_edges, cycled, is_first, separating_axis, uncycled};
+use super::{Axis, Placed, Relative, Segment, closest_in_order, crossing_edges, cycled, separating_axis, uncycled};
 use crate::math::{UnitVec3, Vec3};
 use crate::scalar::Scalar;
 use crate::shape::{Closest, Cuboid};
@@ -14,7 +14,7 @@ use crate::shape::{Closest, Cuboid};
 const SIGNS: [(bool, bool); 4] = [(false, false), (true, false), (true, true), (false, true)];
 
 pub fn closest<S: Scalar>(a: Placed<'_, S, Cuboid<S>>, b: Placed<'_, S, Cuboid<S>>) -> Closest<S> {
-    if is_first(b.1.position - a.1.position) { ordered(a, b) } else { ordered(b, a).swapped() }
+    closest_in_order(a, b, ordered)
 }
 
 fn ordered<S: Scalar>((a, pose_a): Placed<'_, S, Cuboid<S>>, (b, pose_b): Placed<'_, S, Cuboid<S>>) -> Closest<S> {

@@ -2,7 +2,8 @@
 
 use super::{Beside, OverSurface, Polytope, Segment};
 use crate::math::Vec3;
-use crate::narrow_phase::capsule_hull::{Core, core, part_along_face};
+use crate::narrow_phase::capsule_hull::{core, part_along_face};
+use crate::narrow_phase::rod::Core;
 use crate::narrow_phase::segment::between;
 use crate::scalar::Scalar;
 use crate::shape::{Capsule, ConvexHull, Cuboid, Sphere};
