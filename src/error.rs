@@ -80,6 +80,38 @@ errors! {
         HalfLength => "shape: the half length must be positive and finite; without length it is a sphere",
     }
 
+    /// Heights that make no field.
+    HeightFieldError {
+        /// Fewer than two columns or rows.
+        TooFew => "height field: it takes two columns and two rows at least",
+        /// Not a height for each column of each row.
+        Count => "height field: there must be a height for each column of each row",
+        /// More than 16,383 columns or rows.
+        TooMany => "height field: more than 16,383 columns or rows",
+        /// Zero, negative or not finite, or with it the field leaves the range of the format.
+        Spacing => "height field: the spacing must be positive and finite, and the field fit the format",
+        /// Infinite or NaN.
+        Height => "height field: a height is not finite",
+    }
+
+    /// Points that make no convex hull.
+    HullError {
+        /// Fewer than four corners.
+        TooFew => "hull: it takes four corners at least",
+        /// More than the hull has room for, or than 32.
+        TooMany => "hull: more points than there is room for, or than 32",
+        /// A coordinate is infinite or NaN.
+        NotFinite => "hull: a coordinate is not finite",
+        /// All points lie in a plane.
+        Flat => "hull: all points lie in a plane",
+        /// A face with more than 12 corners.
+        FaceCorners => "hull: a face has more than 12 corners",
+        /// In fixed point: less than 2048 units of the last place across.
+        TooSmall => "hull: it is less than 2048 units of the last place across; take smaller units of length",
+        /// Points nearly coincide or nearly lie in a plane, so that the faces do not close.
+        Unclear => "hull: points nearly coincide or nearly lie in a plane, and the faces do not close",
+    }
+
     /// A mass or inertia that no body has.
     MassError {
         /// Zero, negative or not finite, or so with the moments of inertia that go with it. A body that cannot move is

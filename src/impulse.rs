@@ -15,7 +15,7 @@
 //! **Accuracy.** In fixed point nothing between reading the bodies and storing the velocities is rounded to the format.
 //! Against the exact result for the given bits, the impulse of (10) is off by at most 16 u (L |J| + (1 + e) s)/K with
 //! u = 2^-30, K the denominator of (10), s = |v_a| + |v_b| + |w_a||r_a| + |w_b||r_b| and
-//! L = 1/m_a + 1/m_b + |I_a^-1||r_a|^2 + |I_b^-1||r_b|^2; 8.6 u is the worst of a million random cases a format. A stored
+//! L = 1/m_a + 1/m_b + |I_a^-1||r_a|^2 + |I_b^-1||r_b|^2; 8.5 u is the worst of a million random cases a format. A stored
 //! velocity component is off by 0.51 units of its last place and its share (1/m, or |I^-1||r|) of that. In f32 the bound is
 //! 4 u with u = 2^-24. With friction the same form holds with larger factors: `docs/derivation.md` has the table, and
 //! `tests/exact.rs` and `tests/exact_friction.rs` hold it.
@@ -54,7 +54,8 @@ pub enum Outcome {
     Slid,
     /// Neither body can move: nothing was changed.
     Immovable,
-    /// A velocity, arm or tensor was not finite, or the impulse would not be: nothing was changed. Never in fixed point.
+    /// A velocity, arm or tensor was not finite, or the impulse would not be, or would be less than the smallest number:
+    /// nothing was changed. Never in fixed point.
     NotFinite,
 }
 
@@ -109,7 +110,7 @@ pub fn collision_impulse<S: Scalar>(a: &Body<S>, b: &Body<S>, contact: &Contact<
     let column = Column::new(a, b, contact, contact.normal);
     let (speed, k) = (column.speed(a, b), column.inverse_mass(a, b));
     let j = S::rebound(restitution, speed, k);
-    if k > S::Scaled::ZERO && k.is_finite() && j.is_finite() { S::from_scaled(j).0 } else { S::ZERO }
+    if k.is_positive() && j.is_finite() { S::from_scaled(j).0 } else { S::ZERO }
 }
 
 /// Applies an impulse along the normal to both bodies, by (2) and (3). True where a velocity met the end of the format.

@@ -24,7 +24,7 @@ pub struct ManifoldPoint<S: Scalar> {
 }
 
 /// Up to four contact points with one normal, from A to B.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Manifold<S: Scalar> {
     /// From A to B.
     pub normal: UnitVec3<S>,
@@ -40,51 +40,65 @@ impl<S: Scalar> Manifold<S> {
     }
 
     /// The points.
+    #[inline(always)]
     pub fn points(&self) -> &[ManifoldPoint<S>] {
         self.points.get(..usize::from(self.len)).unwrap_or(&[])
     }
 
+    /// Without points.
+    #[inline(always)]
+    pub const fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// Takes the points away.
+    #[inline(always)]
+    pub const fn clear(&mut self) {
+        self.len = 0;
+    }
+
     /// Adds a point; a fifth one is left out, and `false` returned.
+    #[inline]
     pub fn push(&mut self, point: ManifoldPoint<S>) -> bool {
         let Some(free) = self.points.get_mut(usize::from(self.len)) else { return false };
         *free = point;
-        self.len += 1;
+        self.len = self.len.wrapping_add(1);
         true
     }
 
-    /// The manifold, if it has a point.
-    #[inline(always)]
-    pub(crate) fn into_option(self) -> Option<Self> {
-        if self.len == 0 { None } else { Some(self) }
-    }
-
-    /// The same with those bits set in the names of its points.
-    pub(crate) fn renamed(mut self, bits: u16) -> Self {
-        for point in &mut self.points {
-            point.feature.0 |= bits;
-        }
-        self
-    }
-
-    /// The same with the shapes in the other order.
-    #[must_use]
-    pub fn swapped(&self) -> Self {
-        let mut swapped = *self;
-        swapped.normal = -self.normal;
-        for point in &mut swapped.points {
+    /// With the shapes in the other order.
+    #[inline]
+    pub fn swap(&mut self) {
+        self.normal = UnitVec3::from_unit(S::opposite(&self.normal.get()));
+        for point in self.points_mut() {
             core::mem::swap(&mut point.r_a, &mut point.r_b);
         }
-        swapped
     }
 
-    /// The same for shapes that sit on bodies: the arms are those of the bodies, from whose origins the poses of the shapes
-    /// are that far, in the world's axes.
-    #[must_use]
-    pub fn seen_from(&self, [a, b]: [Vec3<S>; 2]) -> Self {
-        let mut seen = *self;
-        for point in &mut seen.points {
+    /// Moves the origins of the arms: for shapes that sit on bodies, from whose origins those of the shapes are that far, in
+    /// the world's axes.
+    #[inline]
+    pub fn move_origins(&mut self, [a, b]: [Vec3<S>; 2]) {
+        for point in self.points_mut() {
             (point.r_a, point.r_b) = (point.r_a + a, point.r_b + b);
         }
-        seen
+    }
+
+    #[inline(always)]
+    pub(crate) fn points_mut(&mut self) -> &mut [ManifoldPoint<S>] {
+        self.points.get_mut(..usize::from(self.len)).unwrap_or_default()
+    }
+
+    /// Begins anew, with another normal.
+    #[inline(always)]
+    pub(crate) fn begin(&mut self, normal: Vec3<S::Unit>) {
+        self.normal = UnitVec3::from_unit(normal);
+        self.len = 0;
+    }
+}
+
+impl<S: Scalar> PartialEq for Manifold<S> {
+    fn eq(&self, other: &Self) -> bool {
+        self.normal == other.normal && self.points() == other.points()
     }
 }

@@ -90,6 +90,8 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     const NO_REMAINDER: Self::Remainder;
     /// The largest number of the format.
     const LARGEST: Self;
+    /// The spacing of the format's numbers; zero in floating point, where it depends on the number.
+    const STEP: Self;
     /// Whether [`contact_impulse`](Self::contact_impulse) and what goes into it round alike for a number and its opposite.
     const SYMMETRIC: bool;
     /// Two to the zeroth.
@@ -168,7 +170,7 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     /// The direction of a vector and its length, by one inverse root: what [`normalize3`](Self::normalize3) and
     /// [`length3`](Self::length3) give, cheaper. `None` where the length is zero or not finite.
     ///
-    /// In fixed point each component is within 3 units of 2^-30 of the exact quotient, and the length within one unit of the
+    /// In fixed point each component is within 2 units of 2^-30 of the exact quotient, and the length within one unit of the
     /// last place of the exact one, or 2^-29 of it where that is more.
     fn direction3(v: [Self; 3]) -> Option<([Self::Unit; 3], Self)>;
 
@@ -179,6 +181,13 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     /// `self / 2^places`, for `places` up to 30; in fixed point rounded, ties away from zero.
     #[must_use]
     fn lowered_by(self, places: u32) -> Self;
+
+    /// `self n`.
+    #[must_use]
+    fn times_integer(self, n: i32) -> Self;
+
+    /// The largest integer that is not above the number, within +-2^30.
+    fn integer_below(self) -> i32;
 
     /// `part / whole`, for `0 <= part <= whole` and `whole > 0`.
     fn fraction(part: Self, whole: Self) -> Self::Unit;
@@ -196,6 +205,9 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     /// `d` is of length at most two.
     fn scaled_dot3(v: [Self; 3], d: [Self::Unit; 3]) -> Self::Scaled;
 
+    /// Whether `v0 d0 + v1 d1 + v2 d2` is below zero: the sign of [`scaled_dot3`](Self::scaled_dot3).
+    fn is_against(v: [Self; 3], d: [Self::Unit; 3]) -> bool;
+
     /// `-d` for a unit vector.
     fn opposite(d: &Vec3<Self::Unit>) -> Vec3<Self::Unit>;
 
@@ -212,15 +224,18 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     /// the other.
     fn parting_speed(v: [&Vec3<Self>; 2], d: [&Vec3<Self::Unit>; 2], levers: [&Self::Lever; 2]) -> Self::Scaled;
 
-    /// [`rebound`](Self::rebound) at once for points that approach each other; for others nothing that
-    /// [is an impulse](Scaled::is_impulse).
+    /// [`rebound`](Self::rebound) at once for points that approach each other; for others, or where that
+    /// [is no impulse](Scaled::is_positive), the speed and the denominator of (10).
+    ///
+    /// # Errors
+    /// The speed at which the points part, and the denominator of (10).
     fn approach_impulse(
         restitution: Self,
         v: [&Vec3<Self>; 2],
         d: [&Vec3<Self::Unit>; 2],
         inv_masses: [Self::Scaled; 2],
         levers: [&Self::Lever; 2],
-    ) -> Self::Scaled;
+    ) -> Result<Self::Scaled, (Self::Scaled, Self::Scaled)>;
 
     /// The denominator of (10): `1/m + c . u`, added up for both bodies.
     fn inverse_mass(inv_masses: [Self::Scaled; 2], levers: [&Self::Lever; 2]) -> Self::Scaled;
@@ -286,7 +301,8 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
 /// A bound on the turns of the search for the direction in which points slide, in
 /// [`resolve_collision_with_friction`](crate::impulse::resolve_collision_with_friction).
 ///
-/// Newton's method takes 3 to 6 of them; where it leaves the bracket, bisection takes its place. What the last turn leaves
+/// Newton's method takes 3 to 6 of them, more where friction nearly holds; where it leaves the bracket, bisection takes its
+/// place. What the last turn leaves
 /// unresolved turns the friction by its share; the cone and Newton's law of restitution hold all the same, but where friction
 /// presses the bodies together so hard that the normal impulse is taken from the tangential rows: there v_n' has its share, too.
 pub const MAX_SLIP_ITERATIONS: usize = 24;
@@ -328,8 +344,8 @@ pub trait Scaled:
     /// Neither an infinity nor a NaN; in fixed point: not the quotient by zero.
     fn is_finite(self) -> bool;
 
-    /// Above zero and finite: an impulse between approaching bodies.
-    fn is_impulse(self) -> bool;
+    /// Above zero and finite.
+    fn is_positive(self) -> bool;
 
     /// The square root; of a negative number NaN, in fixed point zero.
     #[must_use]

@@ -7,17 +7,23 @@
 use crate::aabb::Aabb;
 use crate::manifold::Manifold;
 use crate::math::{Pose, UnitVec3, Vec3};
+use crate::query::{Ray, RayHit, SurfacePoint};
 use crate::scalar::Scalar;
 
 mod capsule;
+mod convex_hull;
 mod cuboid;
 mod half_space;
+mod height_field;
 mod set;
 mod sphere;
 
 pub use self::capsule::Capsule;
+pub use self::convex_hull::{ConvexHull, MAX_CORNERS, MAX_FACE_CORNERS};
 pub use self::cuboid::Cuboid;
 pub use self::half_space::HalfSpace;
+pub use self::height_field::HeightField;
+pub(crate) use self::height_field::Triangle;
 pub use self::sphere::Sphere;
 
 /// A shape in a frame of its own.
@@ -28,6 +34,12 @@ pub trait Shape<S: Scalar>: Copy {
     /// The radius of a ball that fits into the shape: the size that tolerances are relative to. [`Scalar::LARGEST`] for what
     /// has no other side.
     fn inner_radius(&self) -> S;
+
+    /// Where a ray meets the shape first.
+    fn cast_ray(&self, pose: &Pose<S>, ray: &Ray<S>) -> Option<RayHit<S>>;
+
+    /// The point of the surface that is closest to that point of the world. `None` of a height field, beside it.
+    fn closest_point(&self, pose: &Pose<S>, point: Vec3<S>) -> Option<SurfacePoint<S>>;
 }
 
 /// Where two shapes touch, or are about to. Implemented for every pair of shapes, in both orders, with the same result
@@ -75,19 +87,25 @@ impl<S: Scalar> Closest<S> {
     }
 }
 
-/// What takes the manifolds of a pair of shapes: a world's table of contacts.
+/// What takes the manifolds of a pair of shapes: a world's table of contacts. A [`Manifold`] itself keeps the last one, which
+/// is enough for a pair of convex shapes.
 pub trait ManifoldSink<S: Scalar> {
-    /// A manifold between those parts of the two shapes. `part` is zero for a pair of convex shapes; otherwise it tells the
-    /// parts apart, and is the same in the next step for the same ones.
-    fn push(&mut self, part: u32, manifold: &Manifold<S>);
+    /// Where the next manifold is to be made. What is there does not matter.
+    fn place(&mut self) -> &mut Manifold<S>;
+
+    /// There is a manifold in that place, with one point at least, between those parts of the two shapes. `part` is zero for a
+    /// pair of convex shapes; otherwise it tells the parts apart, and is the same in the next step for the same ones.
+    fn take(&mut self, part: u32);
 }
 
-/// Keeps the last one: enough for a pair of convex shapes.
-impl<S: Scalar> ManifoldSink<S> for Option<Manifold<S>> {
-    #[inline]
-    fn push(&mut self, _: u32, manifold: &Manifold<S>) {
-        *self = Some(*manifold);
+impl<S: Scalar> ManifoldSink<S> for Manifold<S> {
+    #[inline(always)]
+    fn place(&mut self) -> &mut Self {
+        self
     }
+
+    #[inline(always)]
+    fn take(&mut self, _: u32) {}
 }
 
 /// A dimension that a shape can have.

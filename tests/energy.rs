@@ -278,3 +278,37 @@ fn safe_law_rebounds_less<S: Format>() {
 in_formats!(usual {
     frictionless_loss safe_law_gains_nothing newton_seldom_gains safe_law_rebounds_less safe_law_does_no_work
 });
+
+/// A body that hardly resists being turned, struck at the end of an arm, so heavy that its mass does not count: the impulse
+/// without rebound, which the energy-safe law falls back on, has no sliding direction.
+#[cfg(feature = "f32")]
+#[test]
+fn a_body_that_only_turns_stays_finite() {
+    use carom::impulse::resolve_collision_with_friction;
+    use carom::{Body, Contact, MassProperties, Material, UnitVec3, Vec3};
+
+    let mut hits = 0;
+    for power in 0..100 {
+        let inv_mass: f32 = 2e-8 * 0.6f32.powi(power);
+        for inverses in [[0.5, 1.0, 2.0], [1.0, 1.0, 1.0]] {
+            for (arm, spin) in [([0.0, -1.0, 3.0], [1.0, 0.0, 0.0]), ([1.0, 0.0, 1.0], [0.0, 1.0, 0.0])] {
+                let mass = MassProperties::from_inverses(inv_mass, inverses).expect("a mass");
+                let (mut wall, mut body) = (Body::<f32>::immovable(), Body::dynamic(mass));
+                body.angular_velocity = Vec3::from_array(spin);
+                let contact = Contact::new(UnitVec3::Z, Vec3::ZERO, Vec3::from_array(arm)).expect("a contact");
+                for restitution in [0.0, 0.25, 1.0] {
+                    let material = Material::new(restitution, 1.0).expect("a material");
+                    for law in [RestitutionLaw::Newton, RestitutionLaw::EnergySafe] {
+                        let mut body = body;
+                        let impact =
+                            resolve_collision_with_friction(&mut wall, &mut body, &contact, &material.with_law(law));
+                        assert_eq!(body.check(), Ok(()), "{impact:?}");
+                        assert!(f32::is_finite(impact.normal_impulse), "{impact:?}");
+                        hits += u32::from(matches!(impact.outcome, Outcome::Stuck | Outcome::Slid));
+                    }
+                }
+            }
+        }
+    }
+    assert!(hits > 600, "{hits} impacts");
+}

@@ -36,13 +36,13 @@ struct Bounds {
 
 fn bounds<S: Format>() -> Bounds {
     if S::saturates() {
-        let (rebound, jammed_rebound) = (32.0, 256.0);
-        Bounds { rebound, jammed_rebound, applied: 64.0, stick: 64.0, against: 4096.0, cone: 8.0, impulse: 32.0 }
+        let (rebound, jammed_rebound) = (32.0, 64.0);
+        Bounds { rebound, jammed_rebound, applied: 64.0, stick: 64.0, against: 1024.0, cone: 8.0, impulse: 8.0 }
     } else {
         // micromath's square root is good to 1e-5 only, and |J_t| with it.
         let cone = if S::name() == "micromath" { 64.0 } else { 2.0 };
-        let (rebound, jammed_rebound) = (4.0, 128.0);
-        Bounds { rebound, jammed_rebound, applied: 2.0, stick: 4.0, against: 2048.0, cone, impulse: 4.0 }
+        let (rebound, jammed_rebound) = (4.0, 8.0);
+        Bounds { rebound, jammed_rebound, applied: 2.0, stick: 4.0, against: 256.0, cone, impulse: 4.0 }
     }
 }
 

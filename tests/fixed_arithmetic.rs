@@ -42,6 +42,75 @@ fn bits(random: &mut Random) -> i32 {
     }
 }
 
+/// What geometry is computed with: directions and lengths, products to compare, shares and steps.
+fn geometry<Frac>(name: &str)
+where
+    Frac: LeEqU32 + IsLessOrEqual<U30, Output = True> + Send + Sync + 'static,
+    FixedI32<Frac>: Scalar<Unit = I2F30, Scaled = Scaled32, Wide = i64>,
+{
+    let of = FixedI32::<Frac>::from_bits;
+    let mut random = Random::new(u64::from(Frac::U32) + 101);
+    let (mut worst_direction, mut worst_length) = (0.0_f64, 0.0_f64);
+    for case in 0..cases() {
+        let mut v: [i32; 3] = std::array::from_fn(|_| bits(&mut random));
+        // Along an axis, and next to it: there the inverse root is at its worst.
+        if case % 8 == 0 {
+            v = [0, (random.next() & 1) as i32, 1 << random.below(31)];
+        }
+        match FixedI32::direction3(v.map(of)) {
+            None => assert_eq!(v, [0; 3], "{name}"),
+            Some((d, length)) => {
+                let exact = v.iter().map(|&x| f64::from(x).powi(2)).sum::<f64>().sqrt();
+                for (d, x) in d.iter().zip(v) {
+                    worst_direction =
+                        worst_direction.max((f64::from(d.to_bits()) - f64::from(x) / exact * 2f64.powi(30)).abs());
+                }
+                if exact < f64::from(i32::MAX) {
+                    let off = (f64::from(length.to_bits()) - exact).abs() - exact * 2f64.powi(-29);
+                    worst_length = worst_length.max(off);
+                }
+                let opposite = FixedI32::direction3(v.map(|x| of(x.saturating_neg())));
+                if v.iter().all(|&x| x != i32::MIN) {
+                    let (mirrored, same) = opposite.expect("a direction");
+                    assert_eq!((mirrored.map(|x| -x), same), (d, length), "{name}: opposite vectors");
+                }
+            }
+        }
+        let [a, b, c, d] = std::array::from_fn(|_| bits(&mut random));
+        let wide = |x: i32, y: i32| i128::from(x) * i128::from(y);
+        let clip = |x: i128| x.clamp(i64::MIN.into(), i64::MAX.into()) as i64;
+        assert_eq!(FixedI32::wide_product(of(a), of(b)), clip(wide(a, b)), "{name} wide_product");
+        assert_eq!(FixedI32::wide_det2(of(a), of(b), of(c), of(d)), clip(wide(a, d) - wide(b, c)), "{name} wide_det2");
+        let square = wide(a, a) + wide(b, b) + wide(c, c);
+        assert_eq!(FixedI32::wide_dot3([a, b, c].map(of), [a, b, c].map(of)), clip(square), "{name} wide_dot3");
+        assert_eq!(of(a).times_unit(I2F30::from_bits(b)).to_bits(), narrowed(wide(a, b), 30), "{name} times_unit");
+        assert_eq!(of(a).times_integer(b).to_bits(), clip(wide(a, b)).clamp(i32::MIN.into(), i32::MAX.into()) as i32);
+        let places = random.below(31);
+        assert_eq!(of(a).lowered_by(places).to_bits(), narrowed(a.into(), places), "{name} lowered_by");
+        assert_eq!(i64::from(of(a).integer_below()), i64::from(a) >> Frac::U32, "{name} integer_below");
+        let (part, whole) = (a.saturating_abs().min(b.saturating_abs()), a.saturating_abs().max(b.saturating_abs()));
+        if whole > 0 {
+            let share = divided(i128::from(part) << 30, whole.into());
+            assert_eq!(
+                FixedI32::fraction(of(part), of(whole)).to_bits(),
+                share,
+                "{name} fraction of {part} in {whole}"
+            );
+        }
+    }
+    println!("{name}: directions off by {worst_direction:.2} units, lengths by {worst_length:.2}");
+    assert!(worst_direction <= 2.0, "{name}: a direction is {worst_direction} units off");
+    assert!(worst_length <= 1.0, "{name}: a length is {worst_length} units off");
+}
+
+#[test]
+fn what_geometry_is_computed_with() {
+    geometry::<U0>("I32F0");
+    geometry::<U16>("I16F16");
+    geometry::<U20>("I12F20");
+    geometry::<U30>("I2F30");
+}
+
 fn sweep<Frac>(name: &str)
 where
     Frac: LeEqU32 + IsLessOrEqual<U30, Output = True> + Send + Sync + 'static,

@@ -7,72 +7,48 @@ mod host;
 mod random;
 #[path = "support/scalars.rs"]
 mod scalars;
+#[path = "support/solids.rs"]
+mod solids;
 #[allow(dead_code)]
 #[path = "../examples/validate/tool/mod.rs"]
 mod tool;
 
 use std::collections::BTreeSet;
 
-use carom::{Collide, Manifold, Pose, Vec3};
+use carom::{Collide, Manifold, Pose, UnitVec3, Vec3};
 use host::HostScalar;
 use random::Random;
 use scalars::NUMBERS;
+use solids::{PAIRS, height, orientation, round, shape, times};
 use tool::geometry::{Placed, Shape, Solid};
 use tool::number::Job;
 use tool::vector::{Vector, add, cross, dot, norm, rotation, scale, sub};
 
-/// Every pair that can meet.
-const PAIRS: [(usize, usize); 9] = [(0, 0), (0, 1), (0, 2), (0, 3), (1, 1), (1, 2), (1, 3), (2, 2), (2, 3)];
-
-fn shape(kind: usize, random: &mut Random) -> Shape {
-    let mut size = || random.between(0.05, 1.0);
-    match kind {
-        0 => Shape::Sphere { radius: size() },
-        1 => Shape::Capsule { radius: size(), half: size() },
-        2 => Shape::Box { half: [size(), size(), size()] },
-        _ => Shape::Plane,
-    }
-}
-
-fn orientation(random: &mut Random) -> [f64; 4] {
-    if random.one_in(5) {
-        return [1.0, 0.0, 0.0, 0.0];
-    }
-    let q: [f64; 4] = std::array::from_fn(|_| random.between(-1.0, 1.0));
-    let length = q.iter().map(|x| x * x).sum::<f64>().sqrt();
-    q.map(|x| x / length)
-}
-
-/// How far outside the shape a point is, negative inside: by the closed forms, in f64.
-fn height(placed: &Placed, point: Vector) -> f64 {
-    let r = rotation(placed.orientation);
-    let way = sub(point, placed.position);
-    let p = [0, 1, 2].map(|k| r[0][k] * way[0] + r[1][k] * way[1] + r[2][k] * way[2]);
-    match placed.shape {
-        Shape::Sphere { radius } => norm(p) - radius,
-        Shape::Box { half } => {
-            let beyond = [0, 1, 2].map(|k| p[k].abs() - half[k]);
-            let inside = beyond[0].max(beyond[1]).max(beyond[2]).min(0.0);
-            norm(beyond.map(|x| x.max(0.0))) + inside
-        }
-        Shape::Capsule { radius, half } => norm([p[0], p[1], p[2] - p[2].clamp(-half, half)]) - radius,
-        Shape::Plane => p[2],
-    }
-}
-
 /// The kernel's view of two shapes.
-struct Scene<S: HostScalar>([(Solid<S>, Pose<S>); 2]);
+struct Scene<S: HostScalar>([(Solid<'static, S>, Pose<S>); 2]);
 
 impl<S: HostScalar> Scene<S> {
     fn new(shapes: &[Placed; 2]) -> Self {
-        Self(shapes.map(|placed| placed.for_kernel().expect("it fits")))
+        Self(shapes.map(|placed| placed.for_kernel(None).expect("it fits")))
+    }
+
+    /// Boxes as hulls, planes as flat height fields, which stay for the rest of the test.
+    fn disguised(shapes: &[Placed; 2]) -> Self {
+        Self(shapes.map(|placed| {
+            let disguise = Box::leak(Box::new(placed.disguise(8.0).expect("it fits")));
+            placed.for_kernel(Some(disguise)).expect("it fits")
+        }))
+    }
+
+    fn made(disguised: bool, shapes: &[Placed; 2]) -> Self {
+        if disguised { Self::disguised(shapes) } else { Self::new(shapes) }
     }
 
     fn manifold(&self, margin: f64) -> Option<Manifold<S>> {
         let [(a, pose_a), (b, pose_b)] = &self.0;
-        let mut manifold = None;
+        let mut manifold = Manifold::empty(UnitVec3::Z);
         a.collide(pose_a, b, pose_b, S::from_f64(margin).expect("it fits"), &mut manifold);
-        manifold
+        (!manifold.is_empty()).then_some(manifold)
     }
 
     fn swapped(&self, margin: f64) -> Option<Manifold<S>> {
@@ -91,20 +67,10 @@ fn normal<S: HostScalar>(manifold: &Manifold<S>) -> Vector {
 
 /// Two shapes nearly touching, in numbers that every format holds exactly.
 fn touching<S: HostScalar>((a, b): (usize, usize), random: &mut Random) -> [Placed; 2] {
-    let round = |v: Vector| v.map(|x| (x * 65536.0).round() / 65536.0);
-    let sized = |kind, random: &mut Random| match shape(kind, random) {
-        Shape::Sphere { radius } => Shape::Sphere { radius: round([radius; 3])[0] },
-        Shape::Capsule { radius, half } => {
-            let [radius, half, _] = round([radius, half, 0.0]);
-            Shape::Capsule { radius, half }
-        }
-        Shape::Box { half } => Shape::Box { half: round(half) },
-        Shape::Plane => Shape::Plane,
-    };
     let position = round([0, 1, 2].map(|_| random.between(-1.0, 1.0)));
-    let first = Placed { shape: sized(a, random), position, orientation: orientation(random) };
+    let first = Placed { shape: shape(a, random), position, orientation: orientation(random) };
     let start = add(position, scale(3.0, random.direction()));
-    let mut second = Placed { shape: sized(b, random), position: round(start), orientation: orientation(random) };
+    let mut second = Placed { shape: shape(b, random), position: round(start), orientation: orientation(random) };
     let wanted = random.between(-0.02, 0.02);
     for _ in 0..20 {
         let [(a, pose_a), (b, pose_b)] = Scene::<S>::new(&[first, second]).0;
@@ -125,7 +91,8 @@ fn allowance<S: HostScalar>() -> f64 {
     16.0 * S::spacing(4.0) + if S::from_f64(2.0).expect("fits").sqrt().to_f64() == 2.0_f64.sqrt() { 0.0 } else { 5e-6 }
 }
 
-struct OnBothSurfaces;
+/// With shapes as they are, or disguised.
+struct OnBothSurfaces(bool);
 
 impl Job for OnBothSurfaces {
     type Output = ();
@@ -135,7 +102,7 @@ impl Job for OnBothSurfaces {
         for pair in PAIRS {
             for case in 0..300 {
                 let shapes = touching::<S>(pair, &mut random);
-                let scene = Scene::<S>::new(&shapes);
+                let scene = Scene::<S>::made(self.0, &shapes);
                 let Some(manifold) = scene.manifold(0.05) else { continue };
                 let points = manifold.points();
                 counts[points.len()] += 1;
@@ -187,11 +154,19 @@ impl Job for OnBothSurfaces {
 #[test]
 fn points_lie_on_both_surfaces() {
     for &number in NUMBERS {
-        scalars::run(number, OnBothSurfaces);
+        for disguised in [false, true] {
+            scalars::run(number, OnBothSurfaces(disguised));
+        }
     }
 }
 
-struct Mirrored;
+fn mirrored<S: HostScalar>(mut manifold: Manifold<S>) -> Manifold<S> {
+    manifold.swap();
+    manifold
+}
+
+/// With shapes as they are, or disguised.
+struct Mirrored(bool);
 
 impl Job for Mirrored {
     type Output = ();
@@ -200,8 +175,8 @@ impl Job for Mirrored {
         let mut compared = 0;
         for pair in PAIRS {
             for _ in 0..300 {
-                let scene = Scene::<S>::new(&touching::<S>(pair, &mut random));
-                assert_eq!(scene.swapped(0.05), scene.manifold(0.05).map(|manifold| manifold.swapped()), "{pair:?}");
+                let scene = Scene::<S>::made(self.0, &touching::<S>(pair, &mut random));
+                assert_eq!(scene.swapped(0.05), scene.manifold(0.05).map(mirrored), "{pair:?}");
                 let [(a, pose_a), (b, pose_b)] = &scene.0;
                 let (there, back) = (a.closest(pose_a, b, pose_b), b.closest(pose_b, a, pose_a));
                 assert_eq!(there, back.map(|closest| closest.swapped()), "{pair:?}");
@@ -216,7 +191,9 @@ impl Job for Mirrored {
 #[test]
 fn shapes_in_the_other_order_give_the_mirrored_manifold() {
     for &number in NUMBERS {
-        scalars::run(number, Mirrored);
+        for disguised in [false, true] {
+            scalars::run(number, Mirrored(disguised));
+        }
     }
 }
 
@@ -249,7 +226,8 @@ fn far_from_the_origin_the_manifold_is_the_same() {
     }
 }
 
-struct Turned;
+/// With shapes as they are, or disguised.
+struct Turned(bool);
 
 impl Job for Turned {
     type Output = ();
@@ -267,8 +245,10 @@ impl Job for Turned {
                     orientation: times(q, placed.orientation),
                     ..placed
                 });
-                let (before, after) =
-                    (Scene::<S>::new(&shapes).manifold(0.05), Scene::<S>::new(&turned).manifold(0.05));
+                let (before, after) = (
+                    Scene::<S>::made(self.0, &shapes).manifold(0.05),
+                    Scene::<S>::made(self.0, &turned).manifold(0.05),
+                );
                 let (Some(before), Some(after)) = (before, after) else {
                     others += usize::from(before.is_some() != after.is_some());
                     continue;
@@ -293,21 +273,17 @@ impl Job for Turned {
     }
 }
 
-/// The product of quaternions.
-fn times([a, b, c, d]: [f64; 4], [e, f, g, h]: [f64; 4]) -> [f64; 4] {
-    let (v, w) = ([b, c, d], [f, g, h]);
-    let [x, y, z] = add(add(scale(a, w), scale(e, v)), cross(v, w));
-    [a * e - dot(v, w), x, y, z]
-}
-
 #[test]
 fn the_manifold_turns_with_the_shapes() {
     for &number in NUMBERS {
-        scalars::run(number, Turned);
+        for disguised in [false, true] {
+            scalars::run(number, Turned(disguised));
+        }
     }
 }
 
-struct Lasting;
+/// With shapes as they are, or disguised.
+struct Lasting(bool);
 
 impl Job for Lasting {
     type Output = ();
@@ -317,13 +293,13 @@ impl Job for Lasting {
         for pair in PAIRS {
             for _ in 0..200 {
                 let shapes = touching::<S>(pair, &mut random);
-                let before = Scene::<S>::new(&shapes).manifold(0.05);
+                let before = Scene::<S>::made(self.0, &shapes).manifold(0.05);
                 // A thousandth of a step, and a thousandth of a radian.
                 let mut moved = shapes;
                 moved[1].position = add(moved[1].position, scale(2e-4, random.direction()));
                 let [x, y, z] = scale(2e-4, random.direction());
                 moved[1].orientation = times([1.0, x, y, z], moved[1].orientation);
-                let after = Scene::<S>::new(&moved).manifold(0.05);
+                let after = Scene::<S>::made(self.0, &moved).manifold(0.05);
                 let (Some(before), Some(after)) = (before, after) else { continue };
                 for point in before.points().iter().filter(|point| point.separation.to_f64() < 0.04) {
                     compared += 1;
@@ -344,7 +320,9 @@ impl Job for Lasting {
 #[test]
 fn a_small_motion_leaves_the_points_their_names() {
     for &number in NUMBERS {
-        scalars::run(number, Lasting);
+        for disguised in [false, true] {
+            scalars::run(number, Lasting(disguised));
+        }
     }
 }
 

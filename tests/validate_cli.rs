@@ -84,6 +84,14 @@ const ELLIPSE: &str = "i,x0,y0,th0,vx0,vy0,w0,x1,y1,th1,vx1,vy1,w1,Jn_x,Jn_y,Jn_
 9,0.4,0.03,0.3,0.8,0.6,-4.8,0.4,0.03,0.1,0.3,0.9,-40.6,0,1,-0.006,1,0,0.026,000000
 ";
 
+/// Pairs that touch in plain numbers: apart, resting, turned by a quarter, and sunk in by the least of three ways.
+const PAIRS: &str = "id,A,B,sizeA,sizeB,posA,quatA,posB,quatB,dist,normal
+10,sphere,sphere,0.5,0.25,0 0 0,1 0 0 0,0 0 1,-2 0 0 0,0.25,0 0 1
+11,box,plane,0.5 0.25 0.125,,0 0 0.125,3 0 0 0,0 0 0,1 0 0 0,0,0 0 -1
+12,capsule,box,0.25 0.5,0.5 0.5 0.5,1.5 0 0,1 0 1 0,0 0 0,1 0 0 0,0.25,-1 0 0
+13,box,box,1 1 1,0.5 0.5 0.5,0 0 0,1 0 0 0,0.25 0.5 1.25,1 0 0 0,-0.25,0 0 1
+";
+
 /// The header and the first rows.
 fn head(file: &str, rows: usize) -> Vec<Vec<String>> {
     file.lines().take(rows + 1).map(|line| line.split(',').map(str::to_owned).collect()).collect()
@@ -282,6 +290,78 @@ fn planar_laws_skip_what_is_no_impact() {
     assert_eq!((ran.status, ran.err.as_str()), (0, ""), "{}", ran.out);
     assert!(ran.out.contains("rows without an impact: 5"), "{}", ran.out);
     assert_eq!(fs::read_to_string(out).expect("results").lines().count(), 231);
+}
+
+#[test]
+fn distances_come_out_in_metres() {
+    let folder = Folder::new();
+    let (file, out) = (folder.file("in.csv", PAIRS), folder.path("out.csv"));
+    for number in NUMBERS {
+        for (more, length) in [(&[][..], 1.0), (&["--millimetres"], 1e-3), (&["--disguised"], 1.0)] {
+            let number = number.to_string();
+            let mut arguments = vec!["geometry", text(&file), "--scalar", &number, "--out", text(&out)];
+            arguments.extend(more);
+            let ran = validate(&arguments);
+            assert_eq!((ran.status, ran.err.as_str()), (0, ""), "{}", ran.out);
+            for part in ["4 rows: 4 compared, 0 not representable, 0 failed", "signed distance", "tolerances of"] {
+                assert!(ran.out.contains(part), "{part:?} is not in\n{}", ran.out);
+            }
+            let written = fs::read_to_string(&out).expect("results");
+            let rows: Vec<Vec<&str>> = written.lines().map(|line| line.split(',').collect()).collect();
+            assert_eq!(rows[0], ["id", "dist", "nx", "ny", "nz"]);
+            let right = [("10", 0.25, [0., 0., 1.]), ("11", 0., [0., 0., -1.]), ("12", 0.25, [-1., 0., 0.])];
+            for (row, (id, distance, normal)) in
+                rows[1..].iter().zip(right.into_iter().chain([("13", -0.25, [0., 0., 1.])]))
+            {
+                assert_eq!(row[0], id);
+                let cells: Vec<f64> = row[1..].iter().map(|cell| cell.parse().expect("a number")).collect();
+                assert!((cells[0] / length - distance).abs() < 1e-4, "{number}, row {id}: {}", cells[0]);
+                assert!(
+                    cells[1..].iter().zip(normal).all(|(a, b)| (a - b).abs() < 1e-4),
+                    "{number}, row {id}: {cells:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_tied_axis_is_counted_and_a_wrong_normal_is_not() {
+    // As deep along x as along z: both are right. Along y it is not.
+    let tied = PAIRS.replacen("0.25 0.5 1.25", "1.25 0.5 1.25", 1);
+    for (normal, status, ties) in [("0 0 1", 0, true), ("1 0 0", 0, true), ("0 1 0", 1, false)] {
+        let folder = Folder::new();
+        let file = folder.file("in.csv", tied.replacen("-0.25,0 0 1", &format!("-0.25,{normal}"), 1));
+        let ran = validate(&["geometry", text(&file), "--scalar", &scalar()]);
+        assert_eq!(ran.status, status, "{normal}: {}", ran.out);
+        assert_eq!(ran.out.contains("EXCEEDED"), !ties, "{}", ran.out);
+    }
+    let folder = Folder::new();
+    let counts = ["0 0 1", "1 0 0"].map(|normal| {
+        let file = folder.file("in.csv", tied.replacen("-0.25,0 0 1", &format!("-0.25,{normal}"), 1));
+        let ran = validate(&["geometry", text(&file), "--scalar", &scalar()]);
+        usize::from(ran.out.contains("separates as well as the file's: 1"))
+    });
+    assert_eq!(counts[0] + counts[1], 1, "the other of the two");
+}
+
+#[test]
+fn bad_pairs_are_refused() {
+    refused("geometry", "a,b\n1,2\n", &[], &["missing columns id, A, B"]);
+    refused("geometry", PAIRS.lines().next().expect("a header"), &[], &["has no rows"]);
+    for (column, cell, problem) in [
+        ("A", "cone", "\"cone\" is none of sphere, box, capsule, plane"),
+        ("sizeA", "0.5 0.25", "is not 3 finite numbers"),
+        ("sizeA", "0.5 0.25 0", "a size is not positive"),
+        ("posB", "0 x 0", "is not 3 finite numbers"),
+        ("posB", "0 NaN 0", "is not 3 finite numbers"),
+        ("quatA", "0 0 0 0", "the quaternion is zero"),
+        ("quatB", "1 0 0", "is not 4 finite numbers"),
+        ("dist", "far", "is not a number"),
+        ("normal", "0 0 2", "the normal is of length 2, not 1"),
+    ] {
+        refused("geometry", with(PAIRS, column, cell), &[], &["row 2 (line 3), column ", column, problem]);
+    }
 }
 
 #[test]

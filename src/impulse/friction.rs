@@ -20,6 +20,12 @@ impl<T: Scaled> Impulse<T> {
         Self { normal, across, whole }
     }
 
+    /// No component is an infinity or NaN.
+    #[inline(always)]
+    pub fn is_finite(&self) -> bool {
+        (self.whole[0] + self.whole[1] + self.whole[2]).is_finite()
+    }
+
     /// The same under one power of two.
     #[inline(always)]
     pub fn to_block<S: Scalar<Scaled = T>>(self) -> BlockImpulse<S> {
@@ -59,9 +65,9 @@ impl<T: Scaled> ContactBlock<T> {
         inverse_mass: &SymBlock<S>,
         velocity: &Block<S>,
         normal: &Vec3<S::Unit>,
-        speed: T,
         inv_masses: [T; 2],
     ) -> Self {
+        let speed = velocity.along(normal);
         let normal = [normal.x.to_scaled(), normal.y.to_scaled(), normal.z.to_scaled()];
         let least = inv_masses[0] + inv_masses[1];
         let block =
@@ -95,7 +101,7 @@ impl<T: Scaled> ContactBlock<T> {
         if normal > T::ZERO && dot(across, across) <= limit * limit {
             return (Impulse { normal, across, whole: j }, Outcome::Stuck);
         }
-        (self.slide((T::ONE + restitution) * speed, friction), Outcome::Slid)
+        self.slide((T::ONE + restitution) * speed, friction)
     }
 
     /// The same outside the caller: for what is rarely needed.
@@ -126,7 +132,7 @@ impl<T: Scaled> ContactBlock<T> {
     /// tangential ones, which leaves S j_t = -q with the Schur complement S = K_tt - K_tn K_nt / K_nn and
     /// q = v_t - K_tn b / K_nn.
     #[inline(always)]
-    fn slide(&self, b: T, friction: T) -> Impulse<T> {
+    fn slide(&self, b: T, friction: T) -> (Impulse<T>, Outcome) {
         let n = self.normal;
         let k_n = self.change(n);
         // Rounding must not take any of these below 1/m_a + 1/m_b.
@@ -151,17 +157,28 @@ impl<T: Scaled> ContactBlock<T> {
         let slip = Slip::new([s11, s12, s22], (large, pivot), [q1, q2], -b / nn, friction, [g1, g2]);
         let Sliding { direction: [d1, d2], friction: j_t } = sliding(&slip);
         // On the cone, j_t = -mu j_n d, and the normal row gives j_n. Where friction presses the bodies together, that is
-        // a quotient of small differences, and the tangential rows know better.
+        // a quotient of small differences, and the tangential rows know better. The rows of an ill-conditioned contact may
+        // then see it stick, when in the world's frame it just did not: they have to be believed, or no root is left.
         let yields = nn - friction * (k_n1 * d1 + k_n2 * d2);
-        let (j_n, j_t) = if T::from_parts(8, 0) * yields > nn {
+        if T::from_parts(8, 0) * yields > nn {
             let j_n = -b / yields;
-            (j_n, friction * j_n)
-        } else {
-            (j_t / friction, j_t)
-        };
-        let across = weighted(t1, t2, [-(j_t * d1), -(j_t * d2)]);
-        Impulse { normal: j_n, across, whole: add(across, n, j_n) }
+            return (assembled((n, j_n), (t1, t2), [d1, d2], friction * j_n), Outcome::Slid);
+        }
+        match slip.sticking() {
+            Some(Sliding { direction: [d1, d2], friction: j_t }) => {
+                let j_n = j_t * (g1 * d1 + g2 * d2) - b * over;
+                (assembled((n, j_n), (t1, t2), [d1, d2], j_t), Outcome::Stuck)
+            }
+            None => (assembled((n, j_t / friction), (t1, t2), [d1, d2], j_t), Outcome::Slid),
+        }
     }
+}
+
+/// The impulse `j_n` along the normal and `j_t` against the direction `d` of the tangents.
+#[inline(always)]
+fn assembled<T: Scaled>((n, j_n): ([T; 3], T), (t1, t2): ([T; 3], [T; 3]), d: [T; 2], j_t: T) -> Impulse<T> {
+    let across = weighted(t1, t2, [-(j_t * d[0]), -(j_t * d[1])]);
+    Impulse { normal: j_n, across, whole: add(across, n, j_n) }
 }
 
 /// `k1 a + k2 b`

@@ -56,8 +56,10 @@ impl<S: Scalar> Column<S> {
     pub fn impulse(&self, a: &Body<S>, b: &Body<S>, restitution: S) -> Result<S::Scaled, Outcome> {
         let v = [&a.linear_velocity, &b.linear_velocity];
         let d = [&self.opposite, &self.direction];
-        let j = S::approach_impulse(restitution, v, d, [a.inv_mass, b.inv_mass], self.levers());
-        if j.is_impulse() { Ok(j) } else { Err(without_impulse(self.speed(a, b), self.inverse_mass(a, b))) }
+        match S::approach_impulse(restitution, v, d, [a.inv_mass, b.inv_mass], self.levers()) {
+            Ok(j) => Ok(j),
+            Err((speed, k)) => Err(without_impulse(speed, k)),
+        }
     }
 }
 

@@ -23,9 +23,7 @@ pub(super) fn rub<S: Scalar>(
         [&a.angular_velocity, &b.angular_velocity],
         [r_a, r_b],
     );
-    let speed = S::Unit::scaled_dot3(velocity.mantissas.to_array(), normal.to_array());
-    let approaching = speed < S::Scaled::ZERO;
-    if !approaching {
+    if !S::Unit::is_against(velocity.mantissas.to_array(), normal.to_array()) {
         return Impact::nothing(unmoved(a, b, velocity, normal, [r_a, r_b]));
     }
     let arms = [S::arm(r_a, &a.inv_inertia_world, a.exponent), S::arm(r_b, &b.inv_inertia_world, b.exponent)];
@@ -34,7 +32,7 @@ pub(super) fn rub<S: Scalar>(
     let surface = [material.restitution(), material.friction()];
     let (j, outcome) = match S::contact_impulse(&inverse_mass, &velocity, &normal, surface) {
         Some((j, stuck)) => (j, if stuck { Outcome::Stuck } else { Outcome::Slid }),
-        None => match solve_scaled(&inverse_mass, &velocity, (&normal, speed), inv_masses, material) {
+        None => match solve_scaled(&inverse_mass, &velocity, &normal, inv_masses, material) {
             Ok(solved) => solved,
             Err(outcome) => return Impact::nothing(outcome),
         },
@@ -42,9 +40,12 @@ pub(super) fn rub<S: Scalar>(
     let j = match material.law {
         RestitutionLaw::Newton => j,
         RestitutionLaw::EnergySafe => {
-            let block =
-                ContactBlock::new(&inverse_mass, &velocity, &normal, speed.raised(velocity.exponent), inv_masses);
-            limit_energy(&block, material.friction().to_scaled(), Impulse::from_block(&j)).map_or(j, Impulse::to_block)
+            let block = ContactBlock::new(&inverse_mass, &velocity, &normal, inv_masses);
+            match limit_energy(&block, material.friction().to_scaled(), Impulse::from_block(&j)) {
+                None => j,
+                Some(less) if less.is_finite() => less.to_block(),
+                Some(_) => return Impact::nothing(Outcome::NotFinite),
+            }
         }
     };
     let clipped = apply_block(a, b, [r_a, r_b], &arms, &Block { mantissas: j.whole, exponent: j.exponent });
@@ -78,13 +79,11 @@ fn unmoved<S: Scalar>(
 fn solve_scaled<S: Scalar>(
     inverse_mass: &SymBlock<S>,
     velocity: &Block<S>,
-    (normal, speed): (&Vec3<S::Unit>, S::Scaled),
+    normal: &Vec3<S::Unit>,
     inv_masses: [S::Scaled; 2],
     material: &Material<S>,
 ) -> Result<(BlockImpulse<S>, Outcome), Outcome> {
-    // The exact sum, rounded once: one of rounded terms could have the other sign.
-    let speed = speed.raised(velocity.exponent);
-    let block = ContactBlock::new(inverse_mass, velocity, normal, speed, inv_masses);
+    let block = ContactBlock::new(inverse_mass, velocity, normal, inv_masses);
     let refuse = || Err(without_impulse(block.speed, block.trace()));
     let movable = block.trace() > S::Scaled::ZERO;
     if !movable {
@@ -94,7 +93,7 @@ fn solve_scaled<S: Scalar>(
     // A float has no other way.
     let (j, outcome) =
         if S::SYMMETRIC { block.solve(restitution, friction) } else { block.solve_apart(restitution, friction) };
-    if !(j.whole[0] + j.whole[1] + j.whole[2]).is_finite() {
+    if !j.is_finite() {
         return refuse();
     }
     Ok((j.to_block(), outcome))

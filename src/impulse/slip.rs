@@ -16,8 +16,8 @@ use crate::scalar::{MAX_SLIP_ITERATIONS, Scaled};
 
 /// The equation of sliding, in the form above.
 pub(super) struct Slip<T> {
-    /// N(0).
-    q: [T; 2],
+    /// N(0) = q and N(1).
+    ends: [[T; 2]; 2],
     /// dN/dt.
     p: [T; 2],
     /// The larger of S_11 and S_22.
@@ -31,11 +31,45 @@ pub(super) struct Slip<T> {
     coupling: [T; 2],
 }
 
+/// The unknown t, and what it lacks of one: near sticking that is what counts, and 1 - t has no digits of it.
+#[derive(Clone, Copy)]
+struct Place<T> {
+    t: T,
+    rest: T,
+}
+
 /// How a sliding contact slides: the unit direction of sliding after the impact in the two tangents, and the amount of
 /// friction by the tangential rows.
 pub(super) struct Sliding<T> {
     pub direction: [T; 2],
     pub friction: T,
+}
+
+#[inline(always)]
+fn dot2<T: Scaled>(a: [T; 2], b: [T; 2]) -> T {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+impl<T: Scaled> Place<T> {
+    const FREE: Self = Self { t: T::ZERO, rest: T::ONE };
+    const STUCK: Self = Self { t: T::ONE, rest: T::ZERO };
+
+    #[inline(always)]
+    fn moved_back(self, step: T) -> Self {
+        Self { t: self.t - step, rest: self.rest + step }
+    }
+
+    #[inline(always)]
+    fn middle(self, other: Self) -> Self {
+        let half = T::from_parts(1, -1);
+        Self { t: half * (self.t + other.t), rest: half * (self.rest + other.rest) }
+    }
+
+    /// Strictly between two others.
+    #[inline(always)]
+    fn is_between(self, low: Self, high: Self) -> bool {
+        self.t > low.t && self.rest > high.rest
+    }
 }
 
 impl<T: Scaled> Slip<T> {
@@ -46,7 +80,7 @@ impl<T: Scaled> Slip<T> {
         let over = T::ONE / m;
         let [s11, s12, s22] = [s[0] * over, s[1] * over, s[2] * over];
         Self {
-            q,
+            ends: [q, [s22 * q[0] - s12 * q[1], s11 * q[1] - s12 * q[0]]],
             p: [(s22 - T::ONE) * q[0] - s12 * q[1], (s11 - T::ONE) * q[1] - s12 * q[0]],
             m,
             trace: s11 + s22,
@@ -58,69 +92,89 @@ impl<T: Scaled> Slip<T> {
 
     /// N(t) and its length.
     #[inline(always)]
-    fn numerator(&self, t: T) -> ([T; 2], T) {
-        let n = [self.q[0] + t * self.p[0], self.q[1] + t * self.p[1]];
-        (n, (n[0] * n[0] + n[1] * n[1]).sqrt())
+    fn numerator(&self, Place { t, rest }: Place<T>) -> ([T; 2], T) {
+        let [free, stuck] = self.ends;
+        let n = [rest * free[0] + t * stuck[0], rest * free[1] + t * stuck[1]];
+        (n, dot2(n, n).sqrt())
     }
 
     /// D(t), a sum of what is not negative.
     #[inline(always)]
-    fn denominator(&self, t: T) -> T {
-        let rest = T::ONE - t;
+    fn denominator(&self, Place { t, rest }: Place<T>) -> T {
         rest * (rest + t * self.trace) + t * t * self.determinant
     }
 
     /// Newton's first step from t = 0, where the equation's value is -load.
     #[inline(always)]
     fn guess(&self) -> T {
-        let [x, y] = self.q;
-        let along = self.coupling[0] * x + self.coupling[1] * y;
+        let [q, _] = self.ends;
         let rise = self.load * (T::ONE + T::ONE - self.trace);
-        self.load / ((x * x + y * y).sqrt() - along + rise)
+        self.load / (dot2(q, q).sqrt() - dot2(self.coupling, q) + rise)
     }
 
-    /// Left side minus right side, and its derivative.
+    /// What the tangential rows say of the friction there.
     #[inline(always)]
-    fn excess(&self, t: T) -> (T, T) {
-        let (n, length) = self.numerator(t);
-        let dot = |a: [T; 2], b: [T; 2]| a[0] * b[0] + a[1] * b[1];
-        let along = dot(self.coupling, n);
-        let value = t * (length - along) - self.load * self.denominator(t);
-        // D(t) = 1 + t (d1 + t d2)
-        let two = T::ONE + T::ONE;
-        let (d1, d2) = (self.trace - two, self.determinant - self.trace + T::ONE);
-        let slope = length - along + t * (dot(n, self.p) / length - dot(self.coupling, self.p))
-            - self.load * (d1 + t * (d2 + d2));
-        (value, slope)
+    fn at(&self, place: Place<T>) -> Sliding<T> {
+        let ([x, y], length) = self.numerator(place);
+        // Nothing slides, nothing rubs.
+        let length_or_one = if length > T::ZERO { length } else { T::ONE };
+        let direction = [x / length_or_one, y / length_or_one];
+        Sliding { direction, friction: place.t * length / (self.m * self.denominator(place)) }
+    }
+
+    /// The friction at which the points stick, if friction at its limit is no less.
+    #[inline(always)]
+    pub fn sticking(&self) -> Option<Sliding<T>> {
+        let (value, _, _) = self.excess(Place::STUCK);
+        if value <= T::ZERO { Some(self.at(Place::STUCK)) } else { None }
+    }
+
+    /// Left side minus right side, its derivative, and the frictionless part of the right side.
+    #[inline(always)]
+    fn excess(&self, place: Place<T>) -> (T, T, T) {
+        let Place { t, rest } = place;
+        let (n, length) = self.numerator(place);
+        let along = dot2(self.coupling, n);
+        let free = self.load * self.denominator(place);
+        let value = t * (length - along) - free;
+        // Half of dD/dt
+        let half = t * self.determinant - rest + T::from_parts(1, -1) * self.trace * (rest - t);
+        let slope =
+            length - along + t * (dot2(n, self.p) / length - dot2(self.coupling, self.p)) - self.load * (half + half);
+        (value, slope, free)
     }
 }
 
 /// The root, and what it says of the sliding.
 #[inline]
 pub(super) fn sliding<T: Scaled>(slip: &Slip<T>) -> Sliding<T> {
-    let half = T::from_parts(1, -1);
-    let (mut low, mut high) = (T::ZERO, T::ONE);
-    let mut t = slip.guess();
-    if !(t > low && t < high) {
-        t = half;
+    let (mut low, mut high) = (Place::FREE, Place::STUCK);
+    let t = slip.guess();
+    let mut place = Place { t, rest: T::ONE - t };
+    if !place.is_between(low, high) {
+        place = low.middle(high);
     }
     // After a small step of Newton's its square, or some of that, is left.
     let tolerance = T::from_parts(1, -5) * T::EPSILON;
+    let noise = T::EPSILON * T::EPSILON;
     for _ in 0..MAX_SLIP_ITERATIONS {
-        let (value, slope) = slip.excess(t);
+        let (value, slope, free) = slip.excess(place);
         if value < T::ZERO {
-            low = t;
+            low = place;
         } else {
-            high = t;
+            high = place;
         }
         let step = value / slope;
-        let next = t - step;
-        if step * step <= tolerance * (t * t) {
-            t = if next < T::ONE { next } else { T::ONE };
+        let next = place.moved_back(step);
+        let size = place.t * place.rest;
+        let inside = next.is_between(low, high);
+        // Or the two sides are equal, as far as can be told.
+        let equal = value * value <= noise * (free * free);
+        if step * step <= tolerance * (size * size) || (equal && inside) {
+            place = next;
             break;
         }
-        t = if next > low && next < high { next } else { half * (low + high) };
+        place = if inside { next } else { low.middle(high) };
     }
-    let ([x, y], length) = slip.numerator(t);
-    Sliding { direction: [x / length, y / length], friction: t * length / (slip.m * slip.denominator(t)) }
+    slip.at(place)
 }

@@ -3,7 +3,7 @@
 use super::{SymMat3, Vec3};
 use crate::scalar::{Scalar, Scaled};
 
-/// A vector of any magnitude: in fixed point mantissas of Q2.30, up to twice the largest of them below one half.
+/// A vector of any magnitude: in fixed point mantissas of Q2.30 under one exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Block<S: Scalar> {
     /// The components, to be multiplied by the power of two.
@@ -12,7 +12,7 @@ pub struct Block<S: Scalar> {
     pub exponent: S::Exponent,
 }
 
-/// A symmetric 3x3 matrix of any magnitude.
+/// A symmetric 3x3 matrix of any magnitude, the same way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SymBlock<S: Scalar> {
     /// The six numbers, to be multiplied by the power of two.
@@ -49,6 +49,12 @@ impl<S: Scalar> Block<S> {
     pub(crate) fn to_scaled(self) -> [S::Scaled; 3] {
         let Vec3 { x, y, z } = self.mantissas;
         [scaled::<S>(x, self.exponent), scaled::<S>(y, self.exponent), scaled::<S>(z, self.exponent)]
+    }
+
+    /// The component along a unit vector: the exact sum, rounded once (one of rounded terms could have the other sign).
+    #[inline(always)]
+    pub(crate) fn along(&self, d: &Vec3<S::Unit>) -> S::Scaled {
+        S::Unit::scaled_dot3(self.mantissas.to_array(), d.to_array()).raised(self.exponent)
     }
 
     /// The opposite vector.

@@ -91,20 +91,11 @@ impl<S: Scalar> Quat<S> {
     #[must_use]
     pub fn to_mat3(self) -> Mat3<S::Unit> {
         let Self { w, x, y, z } = self;
-        let zero = S::Unit::ZERO;
-        // 1 - 2 (a^2 + b^2), with the doubling as two subtractions: twice a unit does not fit the format.
-        let diagonal = |a, b| {
-            let square = S::Unit::dot3([a, b, zero], [a, b, zero]);
-            S::Unit::ONE.minus(square).minus(square)
-        };
-        let twice = |u: S::Unit| u.plus(u);
-        let sum = |a, b, c, d| twice(S::Unit::dot3([a, c, zero], [b, d, zero]));
-        let difference = |a, b, c, d| twice(S::Unit::det2(a, c, d, b));
         Mat3 {
             rows: [
-                Vec3::new(diagonal(y, z), difference(x, y, w, z), sum(x, z, w, y)),
-                Vec3::new(sum(x, y, w, z), diagonal(x, z), difference(y, z, w, x)),
-                Vec3::new(difference(x, z, w, y), sum(y, z, w, x), diagonal(x, y)),
+                Vec3::new(diagonal(y, z), twice_difference(x, y, w, z), twice_sum(x, z, w, y)),
+                Vec3::new(twice_sum(x, y, w, z), diagonal(x, z), twice_difference(y, z, w, x)),
+                Vec3::new(twice_difference(x, z, w, y), twice_sum(y, z, w, x), diagonal(x, y)),
             ],
         }
     }
@@ -128,6 +119,27 @@ impl<S: Scalar> Quat<S> {
         let v = v.to_array();
         Vec3::new(S::dot3_unit(v, x.to_array()), S::dot3_unit(v, y.to_array()), S::dot3_unit(v, z.to_array()))
     }
+}
+
+/// `1 - 2 (a^2 + b^2)`, with the doubling as two subtractions: twice a unit does not fit the format.
+#[inline(always)]
+fn diagonal<U: Scalar>(a: U, b: U) -> U {
+    let square = U::dot3([a, b, U::ZERO], [a, b, U::ZERO]);
+    U::ONE.minus(square).minus(square)
+}
+
+/// `2 (a b + c d)`
+#[inline(always)]
+fn twice_sum<U: Scalar>(a: U, b: U, c: U, d: U) -> U {
+    let sum = U::dot3([a, c, U::ZERO], [b, d, U::ZERO]);
+    sum.plus(sum)
+}
+
+/// `2 (a b - c d)`
+#[inline(always)]
+fn twice_difference<U: Scalar>(a: U, b: U, c: U, d: U) -> U {
+    let difference = U::det2(a, c, d, b);
+    difference.plus(difference)
 }
 
 impl<S: Scalar> Mul for Quat<S> {

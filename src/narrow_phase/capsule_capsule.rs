@@ -2,7 +2,7 @@
 
 use super::round::Cores;
 use super::segment::Segment;
-use super::{Placed, is_first, point};
+use super::{Placed, closest_in_order, manifold_in_order, point};
 use crate::manifold::Manifold;
 use crate::math::{Vec3, max, min};
 use crate::scalar::Scalar;
@@ -18,16 +18,13 @@ pub(super) fn manifold<S: Scalar>(
     a: Placed<'_, S, Capsule<S>>,
     b: Placed<'_, S, Capsule<S>>,
     margin: S,
-) -> Option<Manifold<S>> {
-    if is_first(b.1.position - a.1.position) { ordered(a, b, margin) } else { Some(ordered(b, a, margin)?.swapped()) }
+    out: &mut Manifold<S>,
+) {
+    manifold_in_order(a, b, margin, out, ordered);
 }
 
 pub(super) fn closest<S: Scalar>(a: Placed<'_, S, Capsule<S>>, b: Placed<'_, S, Capsule<S>>) -> Closest<S> {
-    if is_first(b.1.position - a.1.position) {
-        Rods::new(a, b).cores().closest()
-    } else {
-        Rods::new(b, a).cores().closest().swapped()
-    }
+    closest_in_order(a, b, |a, b| Rods::new(a, b).cores().closest())
 }
 
 /// The cores of both, from the origin of the first.
@@ -66,29 +63,27 @@ impl<S: Scalar> Rods<S> {
     }
 }
 
-fn ordered<S: Scalar>(a: Placed<'_, S, Capsule<S>>, b: Placed<'_, S, Capsule<S>>, margin: S) -> Option<Manifold<S>> {
+fn ordered<S: Scalar>(a: Placed<'_, S, Capsule<S>>, b: Placed<'_, S, Capsule<S>>, margin: S, out: &mut Manifold<S>) {
     let rods = Rods::new(a, b);
-    let crossing = rods.cores().manifold(margin)?;
-    let Some(ends) = rods.shared() else { return Some(crossing) };
-    let normal = crossing.normal.get();
+    rods.cores().manifold(margin, out);
+    let Some(&crossing) = out.points().first() else { return };
+    let Some(ends) = rods.shared() else { return };
+    let normal = out.normal.get();
     let [radius_a, radius_b] = rods.radii;
-    let mut manifold = Manifold::empty(crossing.normal);
     let mut deepest = S::LARGEST;
-    for (feature, s) in [(1, ends[0]), (2, ends[1])] {
+    out.clear();
+    for &(feature, s) in &[(1, ends[0]), (2, ends[1])] {
         let from_a = rods.a.at(s);
         let gap = rods.b.at(rods.b.project(from_a)) - from_a;
         let separation = gap.along(normal).minus(radius_a).minus(radius_b);
         if separation <= margin {
             let r = from_a + Vec3::of_length(radius_a.plus(separation.lowered_by(1)), normal);
-            manifold.push(point(r, rods.b.middle, separation, feature));
+            out.push(point(r, rods.b.middle, separation, feature));
             deepest = min(deepest, separation);
         }
     }
     // Crossing at a small angle, they are deepest in between.
-    for &between in crossing.points() {
-        if between.separation.plus(min(radius_a, radius_b).lowered_by(DEEPER)) < deepest {
-            manifold.push(between);
-        }
+    if crossing.separation.plus(min(radius_a, radius_b).lowered_by(DEEPER)) < deepest {
+        out.push(crossing);
     }
-    Some(manifold)
 }

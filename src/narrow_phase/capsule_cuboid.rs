@@ -1,30 +1,25 @@
 //! A capsule and a box: a point, or two where the capsule lies along a face.
 
 use super::point_cuboid::nearest_face;
-use super::segment::Segment;
+use super::polytope::Plane;
+use super::rod::{ALONG_FACE, Core, Rod};
+use super::segment::{Segment, cut};
 use super::segment_cuboid::nearest;
-use super::{Placed, cycled, point, single};
+use super::{Placed, cycled, uncycled};
 use crate::manifold::Manifold;
-use crate::math::{UnitVec3, Vec3, abs, max, min};
+use crate::math::{Vec3, abs};
 use crate::scalar::Scalar;
 use crate::shape::{Capsule, Closest, Cuboid};
 
-/// A normal whose cosine with a face's lacks less than this power of two of one, 1.3 degrees, is taken for the face's.
-const ALONG_FACE: u32 = 12;
-/// A capsule whose axis leans less than this power of two out of a face, 3.6 degrees, lies along it.
-const LYING: u32 = 4;
-
-/// In the box's frame: the direction from the box to the core of the capsule, how far away that is (negative where the core
-/// pierces the box), and the point of the core.
-fn core<S: Scalar>(core: &Segment<S>, half: Vec3<S>) -> (Vec3<S::Unit>, S, Vec3<S>) {
+fn core<S: Scalar>(core: &Segment<S>, half: Vec3<S>) -> Core<S> {
     let near = nearest(core, half);
     if let Some((normal, height)) = near.direction(core.axis) {
-        return (normal, height, near.point);
+        return Core { normal, height, place: near.point };
     }
     let (normal, height) = least_translation(core, half);
     // The end that is deepest in that direction.
     let rises = core.axis.dot(normal) > S::Unit::ZERO;
-    (normal, height, core.at(if rises { core.half.negated() } else { core.half }))
+    Core { normal, height, place: core.at(if rises { core.half.negated() } else { core.half }) }
 }
 
 /// Out of the box by the shortest way: across one of its faces, or across an edge and the core.
@@ -34,7 +29,7 @@ fn least_translation<S: Scalar>(core: &Segment<S>, half: Vec3<S>) -> (Vec3<S::Un
     let (mut normal, mut best) = nearest_face(c, half + reach);
     let nil = S::Unit::ZERO;
     let crosses = [[nil, u.z.negated(), u.y], [u.z, nil, u.x.negated()], [u.y.negated(), u.x, nil]];
-    for across in crosses {
+    for &across in &crosses {
         if S::Unit::dot3(across, across) <= S::Unit::ONE.lowered_by(20) {
             continue;
         }
@@ -49,65 +44,27 @@ fn least_translation<S: Scalar>(core: &Segment<S>, half: Vec3<S>) -> (Vec3<S::Un
     (normal, best)
 }
 
-/// The core in the box's frame, and the way from the capsule's origin to the box's.
-#[inline(always)]
-fn relative<S: Scalar>(
-    (capsule, pose): Placed<'_, S, Capsule<S>>,
-    (_, cuboid_pose): Placed<'_, S, Cuboid<S>>,
-) -> (Segment<S>, Vec3<S>) {
-    let d = cuboid_pose.position - pose.position;
-    let [_, _, axis] = pose.rotation.columns();
-    let axis = cuboid_pose.rotation.transposed().times(axis);
-    (Segment { middle: -cuboid_pose.unrotate(d), axis, half: capsule.half_length() }, d)
-}
-
 pub(super) fn manifold<S: Scalar>(
     capsule: Placed<'_, S, Capsule<S>>,
-    cuboid: Placed<'_, S, Cuboid<S>>,
+    (cuboid, pose): Placed<'_, S, Cuboid<S>>,
     margin: S,
-) -> Option<Manifold<S>> {
-    let (segment, d) = relative(capsule, cuboid);
-    let (radius, half, pose) = (capsule.0.radius(), cuboid.0.half_extents(), cuboid.1);
-    let (normal, height, place) = core(&segment, half);
-    let separation = height.minus(radius);
-    if separation > margin {
-        return None;
-    }
-    let place_at = |place: Vec3<S>, separation: S, down: Vec3<S::Unit>, feature: u16| {
-        let r = pose.rotate(place) + d + Vec3::of_length(radius.plus(separation.lowered_by(1)), down);
-        point(r, d, separation, feature)
+    out: &mut Manifold<S>,
+) {
+    let (rod, half) = (Rod::new(capsule, pose), cuboid.half_extents());
+    let over_face = |normal| {
+        let face = Face::along(normal)?;
+        let [low, high] = face.below(&rod.segment, half)?;
+        if low < high { Some((face.plane(half), [low, high])) } else { None }
     };
-    let lies = abs(segment.axis.dot(normal)) <= S::Unit::ONE.lowered_by(LYING);
-    if let Some(face) = Face::along(normal).filter(|_| lies) {
-        let down = S::opposite(&pose.rotation.times(face.normal::<S>()));
-        let mut manifold = Manifold::empty(UnitVec3::from_unit(down));
-        let [low, high] = face.below(&segment, half).unwrap_or_default();
-        for (feature, s) in [(1, low), (2, high)] {
-            let end = segment.at(s);
-            let separation = face.height(end, half).minus(radius);
-            if separation <= margin && low < high {
-                manifold.push(place_at(end, separation, down, feature));
-            }
-        }
-        if let Some(manifold) = manifold.into_option() {
-            return Some(manifold);
-        }
-    }
-    let down = S::opposite(&pose.rotation.times(normal));
-    Some(single(down, place_at(place, separation, down, 0)))
+    rod.manifold(core(&rod.segment, half), over_face, margin, out);
 }
 
-pub(super) fn closest<S: Scalar>(capsule: Placed<'_, S, Capsule<S>>, cuboid: Placed<'_, S, Cuboid<S>>) -> Closest<S> {
-    let (segment, d) = relative(capsule, cuboid);
-    let (normal, height, place) = core(&segment, cuboid.0.half_extents());
-    let down = S::opposite(&cuboid.1.rotation.times(normal));
-    let from_a = cuboid.1.rotate(place) + d;
-    Closest {
-        normal: UnitVec3::from_unit(down),
-        separation: height.minus(capsule.0.radius()),
-        r_a: from_a + Vec3::of_length(capsule.0.radius(), down),
-        r_b: from_a - d + Vec3::of_length(height, down),
-    }
+pub(super) fn closest<S: Scalar>(
+    capsule: Placed<'_, S, Capsule<S>>,
+    (cuboid, pose): Placed<'_, S, Cuboid<S>>,
+) -> Closest<S> {
+    let rod = Rod::new(capsule, pose);
+    rod.closest(core(&rod.segment, cuboid.half_extents()))
 }
 
 /// A face of a box: its axis, and on which side.
@@ -131,39 +88,20 @@ impl Face {
         cycled(v, self.axis)
     }
 
-    fn normal<S: Scalar>(self) -> Vec3<S::Unit> {
+    fn plane<S: Scalar>(self, half: Vec3<S>) -> Plane<S> {
         let one = if self.negative { S::Unit::ONE.negated() } else { S::Unit::ONE };
         let nil = S::Unit::ZERO;
-        // Cycled back: once more, and all three are round.
-        cycled(Vec3::new(one, nil, nil), (3 - self.axis) % 3)
-    }
-
-    fn height<S: Scalar>(self, p: Vec3<S>, half: Vec3<S>) -> S {
-        let x = self.first(p).x;
-        (if self.negative { x.negated() } else { x }).minus(self.first(half).x)
+        Plane { normal: uncycled(Vec3::new(one, nil, nil), self.axis), offset: self.first(half).x }
     }
 
     /// The part of a segment that lies above or below the face.
     fn below<S: Scalar>(self, segment: &Segment<S>, half: Vec3<S>) -> Option<[S; 2]> {
         let (c, u, h) = (self.first(segment.middle), self.first(segment.axis), self.first(half));
         let mut range = [segment.half.negated(), segment.half];
-        for (c, u, h) in [(c.y, u.y, h.y), (c.z, u.z, h.z)] {
+        for &(c, u, h) in &[(c.y, u.y, h.y), (c.z, u.z, h.z)] {
             range = cut(range, h.minus(c), u)?;
             range = cut(range, h.plus(c), u.negated())?;
         }
         Some(range)
-    }
-}
-
-/// The part of the range with s u <= way.
-fn cut<S: Scalar>([low, high]: [S; 2], way: S, u: S::Unit) -> Option<[S; 2]> {
-    match (low.times_unit(u) <= way, high.times_unit(u) <= way) {
-        (true, true) => Some([low, high]),
-        (false, false) => None,
-        (keeps_low, _) => {
-            let (s, _) = S::from_scaled(way.to_scaled() / u.to_scaled());
-            let s = max(low, min(s, high));
-            Some(if keeps_low { [low, s] } else { [s, high] })
-        }
     }
 }

@@ -18,20 +18,20 @@ pub(super) fn manifold<S: Scalar>(
     capsule: Placed<'_, S, Capsule<S>>,
     plane: Placed<'_, S, HalfSpace<S>>,
     margin: S,
-) -> Option<Manifold<S>> {
+    out: &mut Manifold<S>,
+) {
     let (up, height, d) = above(capsule.1, plane);
     let (end, rise) = end(capsule, up);
     let down = S::opposite(&up);
     let radius = capsule.0.radius();
-    let mut manifold = Manifold::empty(UnitVec3::from_unit(down));
-    for (feature, end, rise) in [(0, end, rise), (1, -end, rise.negated())] {
+    out.begin(down);
+    for &(feature, end, rise) in &[(0, end, rise), (1, -end, rise.negated())] {
         let separation = height.plus(rise).minus(radius);
         if separation <= margin {
             let r = end + Vec3::of_length(radius.plus(separation.lowered_by(1)), down);
-            manifold.push(point(r, d, separation, feature));
+            out.push(point(r, d, separation, feature));
         }
     }
-    manifold.into_option()
 }
 
 pub(super) fn closest<S: Scalar>(capsule: Placed<'_, S, Capsule<S>>, plane: Placed<'_, S, HalfSpace<S>>) -> Closest<S> {

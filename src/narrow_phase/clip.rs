@@ -36,25 +36,27 @@ impl<S: Scalar, const N: usize> Polygon<S, N> {
         self.corners.get(..usize::from(self.len)).unwrap_or(&[])
     }
 
-    /// Keeps what lies inside one side of the face (Sutherland and Hodgman, 1974), whose number is `side`. A corner is that
-    /// far inside.
+    /// Keeps what lies inside one side of the face (Sutherland and Hodgman, 1974), whose number is `side`.
     #[inline(never)]
     pub fn cut(&mut self, side: u16, inside: impl Inside<S>) {
+        if self.corners().iter().all(|corner| inside.of(corner.place) >= S::ZERO) {
+            return;
+        }
         let whole = *self;
-        let Some(last) = whole.corners().last() else { return };
+        let Some(mut before) = whole.corners().last() else { return };
+        let mut before_in = inside.of(before.place);
         self.len = 0;
-        let (mut before, mut before_in) = (*last, inside.of(last.place));
         for corner in whole.corners() {
             let corner_in = inside.of(corner.place);
             match (before_in >= S::ZERO, corner_in >= S::ZERO) {
-                (true, false) => self.push(between(&before, corner, before_in, corner_in), side),
-                (false, true) => self.push(between(&before, corner, before_in, corner_in), before.edge),
+                (true, false) => self.push(between(before, corner, before_in, corner_in), side),
+                (false, true) => self.push(between(before, corner, before_in, corner_in), before.edge),
                 _ => {}
             }
             if corner_in >= S::ZERO {
                 self.push(corner.place, corner.edge);
             }
-            (before, before_in) = (*corner, corner_in);
+            (before, before_in) = (corner, corner_in);
         }
     }
 }
@@ -74,17 +76,22 @@ fn between<S: Scalar>(a: &Corner<S>, b: &Corner<S>, a_in: S, b_in: S) -> Vec3<S>
 }
 
 impl<S: Scalar, const N: usize> Polygon<S, N> {
-    /// The corners no higher than `margin`, each with the name of the edges that meet there: `bits` bits for each of the two.
-    pub fn named(&self, bits: u32, margin: S) -> Self {
-        let mut named = Self::EMPTY;
-        let Some(mut before) = self.corners().last() else { return named };
-        for corner in self.corners() {
-            if corner.place.z <= margin {
-                named.push(corner.place, before.edge.wrapping_shl(bits) | corner.edge);
+    /// Keeps the corners no higher than `margin`, each with the name of the edges that meet there: `bits` bits for each of the
+    /// two.
+    pub fn name(&mut self, bits: u32, margin: S) {
+        let Some(mut before) = self.corners().last().map(|corner| corner.edge) else { return };
+        let mut kept = 0usize;
+        for index in 0..usize::from(self.len) {
+            let Some(&Corner { place, edge }) = self.corners.get(index) else { continue };
+            if place.z <= margin {
+                if let Some(free) = self.corners.get_mut(kept) {
+                    *free = Corner { place, edge: before.wrapping_shl(bits) | edge };
+                }
+                kept = kept.wrapping_add(1);
             }
-            before = corner;
+            before = edge;
         }
-        named
+        self.len = kept as u8;
     }
 
     /// A bit for each of up to four corners that hold the others best: the deepest (of those as deep to within `tolerance` the
@@ -100,8 +107,7 @@ impl<S: Scalar, const N: usize> Polygon<S, N> {
             lowest = min(lowest, corner.place.z);
         }
         let bound = lowest.plus(tolerance);
-        let deepest = corners.iter().enumerate().find(|(_, corner)| corner.place.z <= bound);
-        let Some((first, &Corner { place: a, .. })) = deepest else { return 15 };
+        let (first, a) = first_below(corners, bound);
         let (second, b) = largest(corners, |p| square(a, p));
         let (left, c) = largest(corners, |p| area(a, b, p));
         let (right, e) = largest(corners, |p| area(b, a, p));
@@ -112,8 +118,20 @@ impl<S: Scalar, const N: usize> Polygon<S, N> {
             let larger = if ab < bc { bc } else { ab };
             if larger < ca { ca } else { larger }
         });
-        1u32.wrapping_shl(first as u32) | second | third | fourth
+        first | second | third | fourth
     }
+}
+
+/// The first corner no higher than that: its bit and its place. There is one, unless a height is a NaN.
+fn first_below<S: Scalar>(corners: &[Corner<S>], bound: S) -> (u32, Vec3<S>) {
+    let mut bit = 1u32;
+    for corner in corners {
+        if corner.place.z <= bound {
+            return (bit, corner.place);
+        }
+        bit = bit.wrapping_shl(1);
+    }
+    (1, Vec3::ZERO)
 }
 
 /// The corner with the largest measure, the first of them: its bit and its place. There is one.
@@ -121,12 +139,14 @@ impl<S: Scalar, const N: usize> Polygon<S, N> {
 fn largest<S: Scalar>(corners: &[Corner<S>], measure: impl Fn(Vec3<S>) -> S::Wide) -> (u32, Vec3<S>) {
     let mut best = (1, Vec3::ZERO);
     let mut largest = None;
-    for (index, corner) in corners.iter().enumerate() {
+    let mut bit = 1u32;
+    for corner in corners {
         let measured = measure(corner.place);
         if largest.is_none_or(|largest| measured > largest) {
             largest = Some(measured);
-            best = (1u32.wrapping_shl(index as u32), corner.place);
+            best = (bit, corner.place);
         }
+        bit = bit.wrapping_shl(1);
     }
     best
 }

@@ -3,9 +3,9 @@
 
 use super::clip::{Inside, Polygon};
 use super::segment::Segment;
-use super::{Placed, cycled, is_first, point, single};
+use super::{Placed, closest_in_order, cycled, manifold_in_order, point, uncycled};
 use crate::manifold::Manifold;
-use crate::math::{Mat3, Pose, UnitVec3, Vec3, abs, min};
+use crate::math::{Mat3, Pose, Vec3, abs, min};
 use crate::scalar::Scalar;
 use crate::shape::{Cuboid, Shape};
 
@@ -81,7 +81,7 @@ fn separating_axis<S: Scalar>(
                 if separation > margin {
                     return None;
                 }
-                kind = Axis::Edges(i, j, cycled(across, (3 - i) % 3));
+                kind = Axis::Edges(i, j, uncycled(across, i));
                 best = separation;
             }
             rows = [rows[0].cycled(), rows[1].cycled(), rows[2].cycled()];
@@ -154,44 +154,58 @@ pub(super) fn manifold<S: Scalar>(
     a: Placed<'_, S, Cuboid<S>>,
     b: Placed<'_, S, Cuboid<S>>,
     margin: S,
-) -> Option<Manifold<S>> {
-    if is_first(b.1.position - a.1.position) { ordered(a, b, margin) } else { Some(ordered(b, a, margin)?.swapped()) }
+    out: &mut Manifold<S>,
+) {
+    manifold_in_order(a, b, margin, out, ordered);
 }
 
+#[inline(never)]
 fn ordered<S: Scalar>(
     (a, pose_a): Placed<'_, S, Cuboid<S>>,
     (b, pose_b): Placed<'_, S, Cuboid<S>>,
     margin: S,
-) -> Option<Manifold<S>> {
+    out: &mut Manifold<S>,
+) {
     let relative = Relative::new(pose_a, pose_b);
     let steady = min(a.inner_radius(), b.inner_radius()).lowered_by(STEADY);
     let half = [a.half_extents(), b.half_extents()];
-    let (axis, separation) = separating_axis(half, &relative, steady, margin)?;
-    match axis {
-        Axis::FaceOfA(axis) => {
-            let faces = Faces { half, rotation: &relative.rotation, to_incident: relative.in_a, axis };
-            faces.manifold(pose_a, relative.d, steady, margin)
+    let Some((kind, separation)) = separating_axis(half, &relative, steady, margin) else { return };
+    let (half, axis, of_b) = match kind {
+        Axis::FaceOfA(axis) => (half, axis, false),
+        Axis::FaceOfB(axis) => ([half[1], half[0]], axis, true),
+        Axis::Edges(i, j, across) => return crossing(half, pose_a, &relative, (i, j, across, separation), out),
+    };
+    let faces = if of_b {
+        Faces {
+            half,
+            rotation: relative.rotation.transposed(),
+            way: -relative.in_b,
+            d: -relative.d,
+            axis,
+            name: 1 << 12,
         }
-        Axis::FaceOfB(axis) => {
-            let rotation = relative.rotation.transposed();
-            let [a, b] = half;
-            let faces = Faces { half: [b, a], rotation: &rotation, to_incident: -relative.in_b, axis };
-            let manifold = faces.manifold(pose_b, -relative.d, steady, margin)?;
-            Some(manifold.swapped().renamed(1 << 12))
-        }
-        Axis::Edges(i, j, across) => Some(crossing(half, pose_a, &relative, (i, j, across, separation))),
+    } else {
+        Faces { half, rotation: relative.rotation, way: relative.in_a, d: relative.d, axis, name: 0 }
+    };
+    faces.manifold(if of_b { pose_b } else { pose_a }, steady, margin, out);
+    if of_b {
+        out.swap();
     }
 }
 
 /// A face of one box, and the face of the other that looks at it.
-struct Faces<'a, S: Scalar> {
+struct Faces<S: Scalar> {
     /// Of the box with the face, and of the other.
     half: [Vec3<S>; 2],
     /// The rows are the axes of the first in the frame of the other.
-    rotation: &'a Mat3<S::Unit>,
-    /// From the first to the other, in the first's frame.
-    to_incident: Vec3<S>,
+    rotation: Mat3<S::Unit>,
+    /// From the first to the other, in the first's frame and in the world's axes.
+    way: Vec3<S>,
+    d: Vec3<S>,
+    /// Of the face.
     axis: u8,
+    /// Of which box it is.
+    name: u16,
 }
 
 /// A side of a rectangle around the origin, of the x or the y axis.
@@ -209,45 +223,37 @@ impl<S: Scalar> Inside<S> for Side<S> {
     }
 }
 
-impl<S: Scalar> Faces<'_, S> {
-    /// `pose` is the first box's, `d` the way from it to the other, in the world's axes.
-    fn manifold(&self, pose: &Pose<S>, d: Vec3<S>, steady: S, margin: S) -> Option<Manifold<S>> {
+impl<S: Scalar> Faces<S> {
+    /// `pose` is the first box's.
+    #[inline(never)]
+    fn manifold(&self, pose: &Pose<S>, steady: S, margin: S, out: &mut Manifold<S>) {
         let half = cycled(self.half[0], self.axis);
-        let way = cycled(self.to_incident, self.axis);
+        let way = cycled(self.way, self.axis);
         let below = way.x < S::ZERO;
-        let (polygon, incident) = self.incident(way, half.x, below);
-        let polygon = clipped(polygon, half).named(LABEL_BITS, margin);
-        let chosen = polygon.four(steady);
+        let (mut polygon, incident) = self.incident(way, half.x, below);
+        clip(&mut polygon, half);
+        polygon.name(LABEL_BITS, margin);
+        let mut chosen = polygon.four(steady);
         // In the world's axes: the normal, and the plane's axes.
-        let columns = pose.rotation.columns();
-        let [x, y, z] = match self.axis {
-            0 => columns,
-            1 => [columns[1], columns[2], columns[0]],
-            _ => [columns[2], columns[0], columns[1]],
-        };
+        let [x, y, z] = turned(pose.rotation.columns(), self.axis);
         let normal = if below { S::opposite(&x) } else { x };
-        let mut manifold = Manifold::empty(UnitVec3::from_unit(normal));
-        let name = u16::from(self.axis) << 10 | u16::from(below) << 9 | incident << 6;
-        for (index, corner) in polygon.corners().iter().enumerate() {
-            if chosen.wrapping_shr(index as u32) & 1 == 1 {
+        out.begin(normal);
+        let name = self.name | u16::from(self.axis) << 10 | u16::from(below) << 9 | incident << 6;
+        for corner in polygon.corners() {
+            if chosen & 1 == 1 {
                 let Vec3 { x: u, y: v, z: separation } = corner.place;
                 let along = half.x.plus(separation.lowered_by(1));
-                let r = Vec3::of_length(along, normal) + Vec3::of_length(u, y) + Vec3::of_length(v, z);
-                manifold.push(point(r, d, separation, name | corner.edge));
+                let r = Vec3::new(along, u, v).through(Mat3 { rows: [normal, y, z] }.columns());
+                out.push(point(r, self.d, separation, name | corner.edge));
             }
+            chosen >>= 1;
         }
-        manifold.into_option()
     }
 
     /// The other's face that looks at this one, its corners by their places in this one's plane and heights above it; and its
     /// name in three bits. `way` is to the other box, with the component along the axis of the face first.
     fn incident(&self, way: Vec3<S>, half: S, below: bool) -> (Polygon<S, 8>, u16) {
-        let [x, y, z] = self.rotation.rows;
-        let [x, y, z] = match self.axis {
-            0 => [x, y, z],
-            1 => [y, z, x],
-            _ => [z, x, y],
-        };
+        let [x, y, z] = turned(self.rotation.rows, self.axis);
         let (other, _) = largest(x.magnitudes());
         let [x, y, z] = [cycled(x, other), cycled(y, other), cycled(z, other)];
         let h = cycled(self.half[1], other);
@@ -270,13 +276,21 @@ impl<S: Scalar> Faces<'_, S> {
     }
 }
 
-/// The part of the polygon over the rectangle, whose half extents are the second and third.
-fn clipped<S: Scalar>(mut polygon: Polygon<S, 8>, half: Vec3<S>) -> Polygon<S, 8> {
-    polygon.cut(4, Side { along_x: true, negative: false, half: half.y });
-    polygon.cut(5, Side { along_x: true, negative: true, half: half.y });
-    polygon.cut(6, Side { along_x: false, negative: false, half: half.z });
-    polygon.cut(7, Side { along_x: false, negative: true, half: half.z });
-    polygon
+/// The three with that one first.
+#[inline(always)]
+fn turned<T: Copy>([x, y, z]: [T; 3], first: u8) -> [T; 3] {
+    match first {
+        0 => [x, y, z],
+        1 => [y, z, x],
+        _ => [z, x, y],
+    }
+}
+
+/// Leaves the part of the polygon over the rectangle, whose half extents are the second and third.
+fn clip<S: Scalar>(polygon: &mut Polygon<S, 8>, half: Vec3<S>) {
+    for &(label, along_x, negative) in &[(4, true, false), (5, true, true), (6, false, false), (7, false, true)] {
+        polygon.cut(label, Side { along_x, negative, half: if along_x { half.y } else { half.z } });
+    }
 }
 
 /// The edge of a box that goes farthest in a direction, of those along an axis; and which of the four it is.
@@ -284,7 +298,7 @@ fn edge<S: Scalar>(axis: u8, towards: Vec3<S::Unit>, half: Vec3<S>) -> (Vec3<S>,
     let (d, h) = (cycled(towards, axis), cycled(half, axis));
     let (y, z) = (d.y < S::Unit::ZERO, d.z < S::Unit::ZERO);
     let middle = Vec3::new(S::ZERO, if y { h.y.negated() } else { h.y }, if z { h.z.negated() } else { h.z });
-    (cycled(middle, (3 - axis) % 3), u16::from(y) << 1 | u16::from(z))
+    (uncycled(middle, axis), u16::from(y) << 1 | u16::from(z))
 }
 
 /// The two edges that cross, in A's frame, and their name.
@@ -295,7 +309,7 @@ fn crossing_edges<S: Scalar>(
 ) -> ([Segment<S>; 2], u16) {
     let (one, nil) = (S::Unit::ONE, S::Unit::ZERO);
     let (middle_a, name_a) = edge(i, across, a);
-    let of_a = Segment { middle: middle_a, axis: cycled(Vec3::new(one, nil, nil), (3 - i) % 3), half: cycled(a, i).x };
+    let of_a = Segment { middle: middle_a, axis: uncycled(Vec3::new(one, nil, nil), i), half: cycled(a, i).x };
     let (middle_b, name_b) = edge(j, S::opposite(&relative.rotation.transposed().times(across)), b);
     let axis = cycled(Vec3::from_array(relative.rotation.columns()), j).x;
     let middle = relative.in_a + middle_b.through(relative.rotation.rows);
@@ -308,14 +322,9 @@ fn crossing<S: Scalar>(
     pose_a: &Pose<S>,
     relative: &Relative<S>,
     (i, j, across, separation): (u8, u8, Vec3<S::Unit>, S),
-) -> Manifold<S> {
+    out: &mut Manifold<S>,
+) {
     let ([a, b], name) = crossing_edges(half, relative, (i, j, across));
-    let [s, t] = a.closest(&b);
-    let normal = pose_a.rotation.times(across);
-    // Halfway between the two, also where one of them ends before it meets the other.
-    let (from, to) = (a.at(s), b.at(t));
-    let half = |a: S, b: S| b.minus(a).lowered_by(1);
-    let middle = from + Vec3::new(half(from.x, to.x), half(from.y, to.y), half(from.z, to.z));
-    let r = pose_a.rotate(middle);
-    single(normal, point(r, relative.d, separation, name))
+    out.begin(pose_a.rotation.times(across));
+    out.push(point(pose_a.rotate(a.crossing(&b)), relative.d, separation, name));
 }

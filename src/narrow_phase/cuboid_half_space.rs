@@ -63,30 +63,30 @@ pub(super) fn manifold<S: Scalar>(
     cuboid: Placed<'_, S, Cuboid<S>>,
     plane: Placed<'_, S, HalfSpace<S>>,
     margin: S,
-) -> Option<Manifold<S>> {
+    out: &mut Manifold<S>,
+) {
     let (up, height, d) = above(cuboid.1, plane);
     let [mut i, mut j, mut k] = HalfEdge::all(cuboid, up);
     if height.minus(i.drop).minus(j.drop).minus(k.drop) > margin {
-        return None;
+        return;
     }
     // The steepest last: its upper end is left out.
     if i.drop > k.drop {
-        core::mem::swap(&mut i, &mut k);
+        (i, k) = (k, i);
     }
     if j.drop > k.drop {
-        core::mem::swap(&mut j, &mut k);
+        (j, k) = (k, j);
     }
     let down = S::opposite(&up);
-    let mut manifold = Manifold::empty(UnitVec3::from_unit(down));
+    out.begin(down);
     let face = k.lower(Corner { r: Vec3::ZERO, height, number: 0 });
     let (low, high) = (i.lower(face), i.upper(face));
-    for corner in [j.lower(low), j.lower(high), j.upper(high), j.upper(low)] {
+    for corner in &[j.lower(low), j.lower(high), j.upper(high), j.upper(low)] {
         if corner.height <= margin {
             let r = corner.r + Vec3::of_length(corner.height.lowered_by(1), down);
-            manifold.push(point(r, d, corner.height, corner.number));
+            out.push(point(r, d, corner.height, corner.number));
         }
     }
-    manifold.into_option()
 }
 
 pub(super) fn closest<S: Scalar>(cuboid: Placed<'_, S, Cuboid<S>>, plane: Placed<'_, S, HalfSpace<S>>) -> Closest<S> {

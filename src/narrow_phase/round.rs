@@ -1,6 +1,5 @@
 //! What spheres and capsules share: two points, each with a radius around it.
 
-use super::single;
 use crate::manifold::{FeatureId, Manifold, ManifoldPoint};
 use crate::math::{UnitVec3, Vec3};
 use crate::scalar::Scalar;
@@ -21,24 +20,24 @@ pub(super) struct Cores<S> {
 impl<S: Scalar> Cores<S> {
     /// The one point of contact, for round surfaces nearer than `margin`. Which are not is found without a root.
     #[inline(always)]
-    pub fn manifold(&self, margin: S) -> Option<Manifold<S>> {
+    pub fn manifold(&self, margin: S, out: &mut Manifold<S>) {
         let [a, b] = self.radii;
         let reach = a.plus(b).plus(margin);
         let gap = self.gap.to_array();
         if S::wide_dot3(gap, gap) > S::wide_product(reach, reach) {
-            return None;
+            return;
         }
         let (normal, length) = self.direction();
         let separation = length.minus(a).minus(b);
         // Each arm by its own radius, so that the other order gives the same two.
         let half = separation.lowered_by(1);
-        let point = ManifoldPoint {
+        out.begin(normal);
+        out.push(ManifoldPoint {
             r_a: self.from_a + Vec3::of_length(a.plus(half), normal),
-            r_b: self.from_b() - Vec3::of_length(b.plus(half), normal),
+            r_b: self.b_point() - Vec3::of_length(b.plus(half), normal),
             separation,
             feature: FeatureId(0),
-        };
-        Some(single(normal, point))
+        });
     }
 
     #[inline(always)]
@@ -49,13 +48,13 @@ impl<S: Scalar> Cores<S> {
             normal: UnitVec3::from_unit(normal),
             separation: length.minus(a).minus(b),
             r_a: self.from_a + Vec3::of_length(a, normal),
-            r_b: self.from_b() - Vec3::of_length(b, normal),
+            r_b: self.b_point() - Vec3::of_length(b, normal),
         }
     }
 
     /// From B's origin to its point.
     #[inline(always)]
-    fn from_b(&self) -> Vec3<S> {
+    fn b_point(&self) -> Vec3<S> {
         (self.from_a + self.gap) - self.d
     }
 

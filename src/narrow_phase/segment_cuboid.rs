@@ -23,7 +23,7 @@ pub(super) struct Near<S: Scalar> {
 pub(super) fn nearest<S: Scalar>(segment: &Segment<S>, half: Vec3<S>) -> Near<S> {
     let (c, u) = (segment.middle, segment.axis);
     let mut range = [segment.half.negated(), segment.half];
-    for (c, u, h) in [(c.x, u.x, half.x), (c.y, u.y, half.y), (c.z, u.z, half.z)] {
+    for &(c, u, h) in &[(c.x, u.x, half.x), (c.y, u.y, half.y), (c.z, u.z, half.z)] {
         narrow(&mut range, segment, half, (h.minus(c), u));
         narrow(&mut range, segment, half, (h.negated().minus(c), u));
     }

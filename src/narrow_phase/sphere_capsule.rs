@@ -12,8 +12,9 @@ pub(super) fn manifold<S: Scalar>(
     a: Placed<'_, S, Sphere<S>>,
     b: Placed<'_, S, Capsule<S>>,
     margin: S,
-) -> Option<Manifold<S>> {
-    cores(a, b).manifold(margin)
+    out: &mut Manifold<S>,
+) {
+    cores(a, b).manifold(margin, out);
 }
 
 pub(super) fn closest<S: Scalar>(a: Placed<'_, S, Sphere<S>>, b: Placed<'_, S, Capsule<S>>) -> Closest<S> {

@@ -1,7 +1,7 @@
 //! A sphere and a box.
 
 use super::point_cuboid::{direction, nearest_face, outside};
-use super::{Placed, point, single};
+use super::{Placed, point};
 use crate::manifold::Manifold;
 use crate::math::{UnitVec3, Vec3};
 use crate::scalar::Scalar;
@@ -17,19 +17,21 @@ pub(super) fn manifold<S: Scalar>(
     (sphere, pose): Placed<'_, S, Sphere<S>>,
     (cuboid, cuboid_pose): Placed<'_, S, Cuboid<S>>,
     margin: S,
-) -> Option<Manifold<S>> {
+    out: &mut Manifold<S>,
+) {
     let d = cuboid_pose.position - pose.position;
     let (p, half) = (-cuboid_pose.unrotate(d), cuboid.half_extents());
     let away = outside(p, half).to_array();
     let reach = sphere.radius().plus(margin);
     if S::wide_dot3(away, away) > S::wide_product(reach, reach) {
-        return None;
+        return;
     }
     let (normal, height) = centre(p, half);
     let separation = height.minus(sphere.radius());
     let normal = S::opposite(&cuboid_pose.rotation.times(normal));
     let r = Vec3::of_length(sphere.radius().plus(separation.lowered_by(1)), normal);
-    Some(single(normal, point(r, d, separation, 0)))
+    out.begin(normal);
+    out.push(point(r, d, separation, 0));
 }
 
 pub(super) fn closest<S: Scalar>(

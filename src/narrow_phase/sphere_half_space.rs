@@ -1,6 +1,6 @@
 //! A sphere and a half-space.
 
-use super::{Placed, above, point, single};
+use super::{Placed, above, point};
 use crate::manifold::Manifold;
 use crate::math::{UnitVec3, Vec3};
 use crate::scalar::Scalar;
@@ -11,15 +11,17 @@ pub(super) fn manifold<S: Scalar>(
     (sphere, pose): Placed<'_, S, Sphere<S>>,
     plane: Placed<'_, S, HalfSpace<S>>,
     margin: S,
-) -> Option<Manifold<S>> {
+    out: &mut Manifold<S>,
+) {
     let (up, height, d) = above(pose, plane);
     let separation = height.minus(sphere.radius());
     if separation > margin {
-        return None;
+        return;
     }
     let down = S::opposite(&up);
     let r = Vec3::of_length(sphere.radius().plus(separation.lowered_by(1)), down);
-    Some(single(down, point(r, d, separation, 0)))
+    out.begin(down);
+    out.push(point(r, d, separation, 0));
 }
 
 pub(super) fn closest<S: Scalar>(

@@ -6,9 +6,10 @@
 use fixed::FixedI32;
 use fixed::types::I2F30;
 
-use super::product::{add_dot2, dot, dot2, leading_zeros};
+use super::integer::leading_zeros;
+use super::product::{add_dot2, dot, dot2};
 use super::scaled32::Scaled32;
-use super::wide::{bits_of, magnitude, max, narrow, shift_left, shift_right};
+use super::wide::{bits_of, high, magnitude, max, minus, narrow, shift_left, shift_right};
 use super::{Scalar, Scaled};
 use crate::math::{SymMat3, Vec3};
 
@@ -29,30 +30,32 @@ fn minor(a: i32, b: i32, c: i32, minus_d: i32) -> i32 {
     narrow::<29>(dot2([a, c], [b, minus_d]))
 }
 
+/// A row of I^-1 (r x .), for a row of I^-1 and `m` = -r.
+#[inline(always)]
+fn row([x, y, z]: [I2F30; 3], r: [i32; 3], m: [i32; 3]) -> [i32; 3] {
+    let (x, y, z) = (x.to_bits(), y.to_bits(), z.to_bits());
+    [minor(y, r[2], z, m[1]), minor(z, r[0], x, m[2]), minor(x, r[1], y, m[0])]
+}
+
 impl Arm32 {
     /// For an arm whose components are `r` units of 2^-frac.
     #[inline(never)]
     pub(super) fn new(r: [i32; 3], inv_inertia: &SymMat3<I2F30>, exponent: i32, frac: i32) -> Self {
         let places = leading_zeros(magnitude(r)).wrapping_sub(1);
         // Exact but for arms of 31 bits, which lose the last; and what follows can change their signs.
-        let fill = |x: i32| x.wrapping_shl(places) >> 1;
-        let r = [fill(r[0]), fill(r[1]), fill(r[2])];
-        let m = [r[0].wrapping_neg(), r[1].wrapping_neg(), r[2].wrapping_neg()];
+        let r = [r[0].wrapping_shl(places) >> 1, r[1].wrapping_shl(places) >> 1, r[2].wrapping_shl(places) >> 1];
+        let m = minus(r);
         // No arm, no say in which power of two a sum takes.
         let of_arm = if r[0] | r[1] | r[2] == 0 {
             Scaled32::LOWEST
         } else {
             1i32.wrapping_sub(frac).wrapping_sub(places as i32)
         };
-        let row = |x: I2F30, y: I2F30, z: I2F30| {
-            let (x, y, z) = (x.to_bits(), y.to_bits(), z.to_bits());
-            [minor(y, r[2], z, m[1]), minor(z, r[0], x, m[2]), minor(x, r[1], y, m[0])]
-        };
         let SymMat3 { xx, xy, xz, yy, yz, zz } = *inv_inertia;
         Self {
             r,
             exponent: of_arm,
-            turn: [row(xx, xy, xz), row(xy, yy, yz), row(xz, yz, zz)],
+            turn: [row([xx, xy, xz], r, m), row([xy, yy, yz], r, m), row([xz, yz, zz], r, m)],
             turn_exponent: of_arm.wrapping_add(exponent).wrapping_sub(1),
         }
     }
@@ -79,18 +82,19 @@ impl Arm32 {
     }
 }
 
+/// `start + a . b + c . d`
+#[inline(always)]
+fn sum(start: i64, a: [i32; 2], b: [i32; 2], c: [i32; 2], d: [i32; 2]) -> i64 {
+    add_dot2(add_dot2(start, a, b), c, d)
+}
+
 /// (r x .)^T W of both bodies and `least` on the diagonal, as 64-bit sums: xx, xy, xz, yy, yz, zz.
 #[inline(always)]
 fn inverse_mass_sums(a: &Arm32, b: &Arm32, r: [[i32; 3]; 2], least: i64) -> [i64; 6] {
     let [ra, rb] = r;
     let [ax, ay, az] = a.turn;
     let [bx, by, bz] = b.turn;
-    let [ma, mb] = [ra[0].wrapping_neg(), rb[0].wrapping_neg()];
-    let [na, nb] = [ra[1].wrapping_neg(), rb[1].wrapping_neg()];
-    let [oa, ob] = [ra[2].wrapping_neg(), rb[2].wrapping_neg()];
-    // W_a (x r_a) + W_b (x r_b) for a pair of components of each.
-    let sum =
-        |least: i64, wa: [i32; 2], ra: [i32; 2], wb: [i32; 2], rb: [i32; 2]| add_dot2(add_dot2(least, wa, ra), wb, rb);
+    let [[ma, na, oa], [mb, nb, ob]] = [minus(ra), minus(rb)];
     [
         sum(least, [ay[0], az[0]], [ra[2], na], [by[0], bz[0]], [rb[2], nb]),
         sum(0, [ay[1], az[1]], [ra[2], na], [by[1], bz[1]], [rb[2], nb]),
@@ -116,7 +120,8 @@ pub(super) fn inverse_mass(inv_masses: [Scaled32; 2], arms: [&Arm32; 2]) -> ([i3
     let down = unit.wrapping_sub(top).wrapping_add(60);
     let least = if down > 31 { far_mass(masses, down) } else { shift_right((masses as i64) << 30, down as u32) };
     let [xx, xy, xz, yy, yz, zz] = inverse_mass_sums(a, b, r, least);
-    let largest = max(max((xx >> 32) as i32, (yy >> 32) as i32), (zz >> 32) as i32) | 1;
+    // Cut off, an element beside the diagonal can be the largest by a unit or two.
+    let largest = max(max(high(xx), high(yy)), high(zz)).wrapping_add(2) | 1;
     let up = leading_zeros(largest as u32).wrapping_sub(1);
     let k = [
         shift_left(xx, up),
@@ -154,35 +159,42 @@ pub(super) fn velocity<F>(
 ) -> Option<([i32; 3], i32)> {
     let ([va, vb], [wa, wb], [ra, rb]) =
         ([bits_of(v[0]), bits_of(v[1])], [bits_of(w[0]), bits_of(w[1])], [bits_of(r[0]), bits_of(r[1])]);
-    let room = |w: [i32; 3], r: [i32; 3]| leading_zeros(magnitude(w)).wrapping_add(leading_zeros(magnitude(r)));
     // Products of 60 bits: four of them and the velocities stay within 63. And what can change its sign.
     let small = (magnitude(wa) | magnitude(wb) | magnitude(rb)) >> 30 == 0;
     if !small || room(wa, ra) < 4 || room(wb, rb) < 4 {
         return None;
     }
-    let m = [wa[0].wrapping_neg(), wa[1].wrapping_neg(), wa[2].wrapping_neg()];
-    let minus = |x: [i32; 3]| [x[0].wrapping_neg(), x[1].wrapping_neg(), x[2].wrapping_neg()];
-    let (n, one) = (minus(rb), 1i32.wrapping_shl(frac as u32));
-    let component = |x: usize, y: usize, z: usize| {
-        let turned = dot2([wb[y], wb[z]], [rb[z], n[y]]);
-        let turned = add_dot2(turned, [m[y], wa[z]], [ra[z], ra[y]]);
-        add_dot2(turned, [vb[x], va[x]], [one, one.wrapping_neg()])
-    };
-    Some(leading(component(0, 1, 2), component(1, 2, 0), component(2, 0, 1), frac.wrapping_mul(-2)))
+    let (m, n) = (minus(wa), minus(rb));
+    let one = 1i32.wrapping_shl(frac as u32);
+    let ones = [one, one.wrapping_neg()];
+    let x = sum(dot2([vb[0], va[0]], ones), [wb[1], wb[2]], [rb[2], n[1]], [m[1], wa[2]], [ra[2], ra[1]]);
+    let y = sum(dot2([vb[1], va[1]], ones), [wb[2], wb[0]], [rb[0], n[2]], [m[2], wa[0]], [ra[0], ra[2]]);
+    let z = sum(dot2([vb[2], va[2]], ones), [wb[0], wb[1]], [rb[1], n[0]], [m[0], wa[1]], [ra[1], ra[0]]);
+    Some(leading(x, y, z, frac.wrapping_mul(-2)))
 }
 
 /// Three 64-bit numbers as a block within 2^29, rounded, and their exponent with it.
 #[inline(always)]
 fn leading(x: i64, y: i64, z: i64, exponent: i32) -> ([i32; 3], i32) {
-    let high = |x: i64, y: i64, z: i64| magnitude([(x >> 32) as i32, (y >> 32) as i32, (z >> 32) as i32]);
     let (mut x, mut y, mut z, mut exponent) = (x, y, z, exponent);
-    if high(x, y, z) == 1 {
+    if magnitude([high(x), high(y), high(z)]) == 1 {
         // Within 2^33, and exact from here on.
         (x, y, z, exponent) = (x << 28, y << 28, z << 28, exponent.wrapping_sub(28));
     }
-    let up = leading_zeros(high(x, y, z)).wrapping_sub(1);
-    let rounded = |x: i64| (shift_left(x, up) >> 1).wrapping_add(1) >> 1;
-    ([rounded(x), rounded(y), rounded(z)], exponent.wrapping_add(34).wrapping_sub(up as i32))
+    let up = leading_zeros(magnitude([high(x), high(y), high(z)])).wrapping_sub(1);
+    ([rounded(x, up), rounded(y, up), rounded(z, up)], exponent.wrapping_add(34).wrapping_sub(up as i32))
+}
+
+/// `x 2^up / 2^34`, rounded.
+#[inline(always)]
+const fn rounded(x: i64, up: u32) -> i32 {
+    (shift_left(x, up) >> 1).wrapping_add(1) >> 1
+}
+
+/// The leading zeros of two vectors: products of components have as many.
+#[inline(always)]
+fn room(w: [i32; 3], r: [i32; 3]) -> u32 {
+    leading_zeros(magnitude(w)).wrapping_add(leading_zeros(magnitude(r)))
 }
 
 /// The same by numbers with exponents of their own, for what is near the end of the range.

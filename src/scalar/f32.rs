@@ -15,6 +15,7 @@ fn power_of_two(exponent: i32) -> f32 {
 float_scalar!(f32,
     sqrt: sqrt,
     int: |n: i32| n as f32,
+    cut: |x: f32| x as i32,
     bits: |x: f32| u64::from(x.to_bits()),
     power: power_of_two,
     max_exponent: 126,

@@ -10,6 +10,7 @@ fn power_of_two(exponent: i32) -> f64 {
 float_scalar!(f64,
     sqrt: libm::sqrt,
     int: |n: i32| f64::from(n),
+    cut: |x: f64| x as i32,
     bits: f64::to_bits,
     power: power_of_two,
     max_exponent: 1022,

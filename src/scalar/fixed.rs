@@ -7,9 +7,9 @@ use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30, U31};
 use super::Scalar;
 use super::arm32::{self, Arm32};
 use super::contact32::{Contact32, Impulse32};
-use super::integer::{inverse_root, round_shift, round_sqrt, wide_quotient};
+use super::integer::{inverse_root, leading_zeros, round_shift, round_sqrt, wide_quotient};
 use super::lever32::{self, Lever32};
-use super::product::{dot, leading_zeros, product, unsigned_product};
+use super::product::{dot, product, unsigned_product};
 use super::scaled32::Scaled32;
 use super::step32::FixedStep;
 use super::stored32::{self, add_block, add_scaled, clip};
@@ -36,23 +36,23 @@ fn end_of_range(p: i64, q: i64, r: i64) -> i32 {
     if (p >> 2).wrapping_add(q >> 2).wrapping_add(r >> 2) < 0 { i32::MIN } else { i32::MAX }
 }
 
-/// `2^46 / sqrt(a)` for `a >= 2^30`, at most 2^31; off by at most 2^-29 in relative terms.
+/// `2^46 / sqrt(a)` for `a >= 2^30`, at most 2^31; off by at most 2^-30 in relative terms.
 ///
 /// One more Newton step `y (3 - a y^2)/2` after the two of `inverse_root`.
 #[inline(always)]
 fn precise_inverse_root(a: u32) -> u32 {
     let y = inverse_root(a);
-    // 2^15 sqrt(a), and 2^61 (1 - a y^2): below 2^39 in magnitude.
+    // 2^15 sqrt(a), and 2^61 (1 - a y^2): below 2^40 in magnitude, the most where a is next to 2^30.
     let root = (unsigned_product(a, y) >> 31) as u32;
     let rest = (1i64 << 61).wrapping_sub(unsigned_product(root, y) as i64);
-    let step = product((rest >> 8) as i32, (y >> 1) as i32) >> 53;
+    let step = product((rest >> 10) as i32, (y >> 1) as i32) >> 51;
     y.wrapping_add(step as u32)
 }
 
 /// The places by which a vector can move left so that its components stay within 29 bits: -2 to 29.
 #[inline(always)]
 const fn headroom(v: [i32; 3]) -> i32 {
-    (magnitude(v).leading_zeros() as i32).wrapping_sub(3)
+    (leading_zeros(magnitude(v)) as i32).wrapping_sub(3)
 }
 
 #[inline(always)]
@@ -95,6 +95,13 @@ fn divide(n: i32, d: i32, frac: u32) -> (i32, bool) {
     }
 }
 
+/// `x / length` in Q2.30, for a length of twice the places of `x` and no less than it.
+#[inline(always)]
+fn component(x: i32, length: u32) -> I2F30 {
+    let bits = wide_quotient(x.unsigned_abs(), length, 31).unwrap_or(1 << 30) as i32;
+    I2F30::from_bits(if x < 0 { bits.wrapping_neg() } else { bits })
+}
+
 impl<Frac> Scalar for FixedI32<Frac>
 where
     Frac: LeEqU32 + IsLessOrEqual<U30, Output = True> + Send + Sync + 'static,
@@ -113,6 +120,7 @@ where
     const ONE: Self = Self::from_bits(1 << Frac::U32);
     const NO_REMAINDER: u16 = 0;
     const LARGEST: Self = Self::from_bits(i32::MAX);
+    const STEP: Self = Self::from_bits(1);
     const SYMMETRIC: bool = false;
     const NO_EXPONENT: i32 = Scaled32::LOWEST;
 
@@ -214,21 +222,19 @@ where
         let v = [move_left(v[0], places), move_left(v[1], places), move_left(v[2], places)];
         // The root of the squares times four: the length to half a unit of its 31st bit.
         let length = round_sqrt((dot(v, v) as u64).wrapping_shl(2));
-        let component = |x: i32| {
-            let bits = wide_quotient(x.unsigned_abs(), length, 31).unwrap_or(1 << 30) as i32;
-            I2F30::from_bits(if x < 0 { bits.wrapping_neg() } else { bits })
-        };
-        Some([component(v[0]), component(v[1]), component(v[2])])
+        Some([component(v[0], length), component(v[1], length), component(v[2], length)])
     }
 
     #[inline(never)]
     fn direction3(v: [Self; 3]) -> Option<([I2F30; 3], Self)> {
         let bits = bits3(v);
-        if bits == [0; 3] {
+        if bits[0] | bits[1] | bits[2] == 0 {
             return None;
         }
-        // The largest component has 30 bits, the sum of the squares 59 to 62.
-        let places = headroom(bits).wrapping_add(1);
+        // The largest component has 30 bits, the sum of the squares 59 to 62. By magnitudes, so that the opposite vector has the
+        // opposite direction to the last bit.
+        let largest = bits[0].unsigned_abs() | bits[1].unsigned_abs() | bits[2].unsigned_abs();
+        let places = (leading_zeros(largest) as i32).wrapping_sub(2);
         let m = [move_left(bits[0], places), move_left(bits[1], places), move_left(bits[2], places)];
         let square = dot(m, m) as u64;
         // Moved left by an even number of places, the square is a 2^32 with a >= 2^30, and its root sqrt(a) 2^16.
@@ -252,6 +258,16 @@ where
     #[inline(always)]
     fn lowered_by(self, places: u32) -> Self {
         Self::from_bits(round_shift(self.to_bits() as i64, places & 31) as i32)
+    }
+
+    #[inline(always)]
+    fn times_integer(self, n: i32) -> Self {
+        Self::from_bits(clip(product(self.to_bits(), n)).0)
+    }
+
+    #[inline(always)]
+    fn integer_below(self) -> i32 {
+        self.to_bits().wrapping_shr(Frac::U32)
     }
 
     #[inline]
@@ -286,6 +302,11 @@ where
     }
 
     #[inline(always)]
+    fn is_against(v: [Self; 3], d: [I2F30; 3]) -> bool {
+        dot(bits3(v), bits3(d)) < 0
+    }
+
+    #[inline(always)]
     fn opposite(d: &Vec3<I2F30>) -> Vec3<I2F30> {
         Vec3::new(d.x.wrapping_neg(), d.y.wrapping_neg(), d.z.wrapping_neg())
     }
@@ -307,7 +328,7 @@ where
         d: [&Vec3<I2F30>; 2],
         inv_masses: [Scaled32; 2],
         levers: [&Lever32; 2],
-    ) -> Scaled32 {
+    ) -> Result<Scaled32, (Scaled32, Scaled32)> {
         let factor = rebound_factor(restitution);
         lever32::approach_impulse(factor, [bits_of(v[0]), bits_of(v[1])], d, inv_masses, levers, Frac::I32)
     }

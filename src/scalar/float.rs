@@ -20,10 +20,10 @@ pub struct FloatArm<T> {
     pub(super) turn: [Vec3<T>; 3],
 }
 
-/// Implements `Scalar` and `Scaled` for a float: `$sqrt` is its square root, `$int` makes one of an `i32`, `$bits` gives
-/// the stored bits, `$power` is two to an exponent that is in the normal range.
+/// Implements `Scalar` and `Scaled` for a float: `$sqrt` is its square root, `$int` makes one of an `i32`, `$cut` the other way,
+/// `$bits` gives the stored bits, `$power` is two to an exponent that is in the normal range.
 macro_rules! float_scalar {
-    ($float:ty, sqrt: $sqrt:expr, int: $int:expr, bits: $bits:expr, power: $power:expr, max_exponent: $max_exponent:expr,
+    ($float:ty, sqrt: $sqrt:expr, int: $int:expr, cut: $cut:expr, bits: $bits:expr, power: $power:expr, max_exponent: $max_exponent:expr,
      zero: $zero:expr, one: $one:expr, largest: $largest:expr, pi: $pi:expr, epsilon: $epsilon:expr, small: $small:expr,
      finite: $finite:expr) => {
         use super::float::{FloatArm, FloatLever};
@@ -81,6 +81,7 @@ macro_rules! float_scalar {
             const NO_REMAINDER: Self = $zero;
             const ONE: Self = $one;
             const LARGEST: Self = $largest;
+            const STEP: Self = $zero;
             const SYMMETRIC: bool = true;
             const NO_EXPONENT: () = ();
 
@@ -160,19 +161,12 @@ macro_rules! float_scalar {
 
             #[inline]
             fn normalize3(v: [Self; 3]) -> Option<[Self; 3]> {
-                // Only where the squares could leave the range is the vector scaled by a power of two first.
-                let scale = moderate(v);
-                let v = [v[0] * scale, v[1] * scale, v[2] * scale];
-                let length = <Self as $crate::scalar::Scalar>::length3(v);
-                if length > $zero && $finite(length) {
-                    Some([v[0] / length, v[1] / length, v[2] / length])
-                } else {
-                    None
-                }
+                Self::direction3(v).map(|(direction, _)| direction)
             }
 
             #[inline]
             fn direction3(v: [Self; 3]) -> Option<([Self; 3], Self)> {
+                // Only where the squares could leave the range is the vector scaled by a power of two first.
                 let scale = moderate(v);
                 let v = [v[0] * scale, v[1] * scale, v[2] * scale];
                 let length = <Self as $crate::scalar::Scalar>::length3(v);
@@ -192,6 +186,25 @@ macro_rules! float_scalar {
             #[inline(always)]
             fn lowered_by(self, places: u32) -> Self {
                 self * $power((places as i32).wrapping_neg())
+            }
+
+            #[inline(always)]
+            fn times_integer(self, n: i32) -> Self {
+                self * $int(n)
+            }
+
+            #[inline]
+            fn integer_below(self) -> i32 {
+                const END: i32 = 1 << 30;
+                // A NaN becomes zero below.
+                if self < $int(-END) {
+                    return -END;
+                }
+                if self >= $int(END) {
+                    return END;
+                }
+                let cut = $cut(self);
+                if $int(cut) > self { cut.wrapping_sub(1) } else { cut }
             }
 
             #[inline(always)]
@@ -220,6 +233,11 @@ macro_rules! float_scalar {
             }
 
             #[inline(always)]
+            fn is_against(v: [Self; 3], d: [Self; 3]) -> bool {
+                Self::scaled_dot3(v, d) < $zero
+            }
+
+            #[inline(always)]
             fn opposite(d: &Vec3<Self>) -> Vec3<Self> {
                 -*d
             }
@@ -244,9 +262,10 @@ macro_rules! float_scalar {
                 d: [&Vec3<Self>; 2],
                 inv_masses: [Self; 2],
                 levers: [&Self::Lever; 2],
-            ) -> Self {
-                let speed = Self::parting_speed(v, d, levers);
-                Self::rebound(restitution, speed, Self::inverse_mass(inv_masses, levers))
+            ) -> Result<Self, (Self, Self)> {
+                let (speed, k) = (Self::parting_speed(v, d, levers), Self::inverse_mass(inv_masses, levers));
+                let j = Self::rebound(restitution, speed, k);
+                if crate::scalar::Scaled::is_positive(j) { Ok(j) } else { Err((speed, k)) }
             }
 
             #[inline(always)]
@@ -377,7 +396,7 @@ macro_rules! float_scalar {
             }
 
             #[inline(always)]
-            fn is_impulse(self) -> bool {
+            fn is_positive(self) -> bool {
                 // From one unit of the last place to the largest number: the bits as an integer, less one.
                 $bits(self).wrapping_sub(1) < $bits($one / $zero) - 1
             }

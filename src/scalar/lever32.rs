@@ -8,8 +8,8 @@
 use fixed::FixedI32;
 use fixed::types::I2F30;
 
-use super::integer::high_product;
-use super::product::{add_dot, dot, dot2, leading_zeros};
+use super::integer::{high_product, leading_zeros};
+use super::product::{add_dot, dot, dot2};
 use super::scaled32::Scaled32;
 use super::wide::{bits, bits_of, magnitude, narrow, shift_left, shift_right};
 use crate::math::{SymMat3, Vec3};
@@ -63,8 +63,9 @@ impl Lever32 {
         let product = if product < 0 { 0 } else { product };
         let zeros = leading_zeros((product >> 32) as u32 | 1);
         let inverse_mass = shift_left(product, zeros) as u32 >> 2;
-        let inverse_mass_exponent =
-            cross_exponent.wrapping_add(turn_exponent).wrapping_add(4).wrapping_sub(zeros as i32);
+        // As an arm of no length: what is zero has no say either.
+        let of_product = cross_exponent.wrapping_add(turn_exponent).wrapping_add(4).wrapping_sub(zeros as i32);
+        let inverse_mass_exponent = if inverse_mass == 0 { Scaled32::LOWEST } else { of_product };
         Self { turn: [x, y, z], turn_exponent, inverse_mass, inverse_mass_exponent, spin, cross_exponent }
     }
 
@@ -120,7 +121,7 @@ pub(super) fn parting_speed(v: [[i32; 3]; 2], d: [&Vec3<I2F30>; 2], levers: [&Le
     }
 }
 
-/// `-(1 + e) speed / k` where the points approach each other, and nothing else: `factor` is 1 + e in Q2.30.
+/// `-(1 + e) speed / k` where the points approach each other, or else the speed and k: `factor` is 1 + e in Q2.30.
 #[inline(always)]
 pub(super) fn approach_impulse(
     factor: u32,
@@ -129,34 +130,27 @@ pub(super) fn approach_impulse(
     inv_masses: [Scaled32; 2],
     levers: [&Lever32; 2],
     frac: i32,
-) -> Scaled32 {
+) -> Result<Scaled32, (Scaled32, Scaled32)> {
     let linear = linear_speed(v, d);
     let (speed, exponent) = match near_speed(linear, levers, frac) {
         Some(near) => near,
-        None => return far_impulse(factor, linear, inv_masses, levers, frac),
+        None => {
+            let speed = far_parting_speed(linear, levers, frac);
+            ((speed.mantissa() as i64) << 32, speed.exponent().wrapping_sub(62))
+        }
     };
     let (k, k_exponent) = inverse_mass_sum(inv_masses, levers);
     if speed >= 0 || k == 0 {
-        return Scaled32::ZERO;
+        return Err((Scaled32::new(speed, exponent), Scaled32::new(k as i64, k_exponent.wrapping_sub(30))));
     }
     // The leading 32 bits of the speed, of which there are more.
     let speed = speed.wrapping_neg();
     let zeros = leading_zeros((speed >> 32) as u32 | 1);
     let n = high_product(shift_left(speed, zeros) as u32, factor);
-    Scaled32::leading_quotient((n, exponent.wrapping_sub(zeros as i32).wrapping_add(64)), (k, k_exponent))
+    Ok(Scaled32::leading_quotient((n, exponent.wrapping_sub(zeros as i32).wrapping_add(64)), (k, k_exponent)))
 }
 
-#[cold]
-#[inline(never)]
-fn far_impulse(factor: u32, linear: i64, inv_masses: [Scaled32; 2], levers: [&Lever32; 2], frac: i32) -> Scaled32 {
-    let speed = far_parting_speed(linear, levers, frac);
-    if speed.mantissa() >= 0 {
-        return Scaled32::ZERO;
-    }
-    Scaled32::quotient_of_product(-speed, factor, inverse_mass(inv_masses, levers))
-}
-
-/// The same for arms of any length, and for the slowest speeds: nothing is cut off before the terms are added.
+/// What [`near_speed`] adds up, for arms of any length and the slowest speeds: nothing is cut off before the terms are added.
 #[cold]
 #[inline(never)]
 fn far_parting_speed(linear: i64, [a, b]: [&Lever32; 2], frac: i32) -> Scaled32 {

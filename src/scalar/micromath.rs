@@ -12,15 +12,21 @@ fn sqrt(x: F32) -> F32 {
         return if x.0 < 0.0 { F32::NAN } else { x };
     }
     if x.0 < f32::MIN_POSITIVE {
-        // Micromath halves the exponent, of which subnormal numbers have none: 2^24 makes them normal.
-        return F32(normal_sqrt(x.0 * 16_777_216.0) * (1.0 / 4096.0));
+        return subnormal_sqrt(x.0);
     }
     F32(normal_sqrt(x.0))
 }
 
+/// Micromath halves the exponent, of which subnormal numbers have none: 2^24 makes them normal.
+#[cold]
+#[inline(never)]
+fn subnormal_sqrt(x: f32) -> F32 {
+    F32(normal_sqrt(x * 16_777_216.0) * (1.0 / 4096.0))
+}
+
 /// Micromath's square root is off by up to 6 %; two Newton steps bring it to less than 1e-5 (1.6e-6 in the worst case
 /// found), at the price of two divisions.
-#[inline]
+#[inline(always)]
 fn normal_sqrt(x: f32) -> f32 {
     // Without its sign bit the number is one whose bits micromath can add to without an overflow check that could fail.
     let guess = F32::from_bits(x.to_bits() & 0x7fff_ffff).sqrt().0;
@@ -36,6 +42,7 @@ fn power_of_two(exponent: i32) -> F32 {
 float_scalar!(F32,
     sqrt: sqrt,
     int: |n: i32| F32(n as f32),
+    cut: |x: F32| x.0 as i32,
     bits: |x: F32| u64::from(x.0.to_bits()),
     power: power_of_two,
     max_exponent: 126,

@@ -2,7 +2,7 @@
 //!
 //! On Cortex-M an island of `unsafe`: left to itself, the compiler often no longer sees that a factor has 32 bits and makes
 //! four instructions of one (Armv7-M), or calls a 64-bit multiplication (Armv6-M). The instructions take and give numbers in
-//! registers and compute what `portable` does; the pinned states of the examples compare the two on every board.
+//! registers and compute what `portable` does; `examples/products.rs` compares sums of products, and products of them, with 128-bit arithmetic on the board.
 
 #[cfg(multiply = "long")]
 use long::{add_product, multiply};
@@ -12,7 +12,7 @@ use portable::{add_product, multiply};
 use short::{add_product, multiply};
 
 #[cfg(multiply = "short")]
-pub(super) use short::{leading_zeros, unsigned_product};
+pub(super) use short::unsigned_product;
 
 #[cfg(not(any(multiply = "long", multiply = "short")))]
 mod portable {
@@ -68,7 +68,7 @@ mod long {
     }
 }
 
-/// Armv6-M and Armv8-M Baseline: from four products of halves. There is no instruction that counts zeros, either.
+/// Armv6-M and Armv8-M Baseline: from four products of halves.
 #[cfg(multiply = "short")]
 #[allow(unsafe_code)]
 mod short {
@@ -154,28 +154,6 @@ mod short {
         }
         (high as u64) << 32 | low as u64
     }
-
-    /// Of the numbers below 16.
-    const ZEROS: [u8; 16] = [4, 3, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
-
-    /// How many leading digits of `x` are zero; 32 for zero.
-    #[inline(never)]
-    pub fn leading_zeros(mut x: u32) -> u32 {
-        let mut zeros = 0;
-        if x >> 16 == 0 {
-            x <<= 16;
-            zeros = 16;
-        }
-        if x >> 24 == 0 {
-            x <<= 8;
-            zeros += 8;
-        }
-        if x >> 28 == 0 {
-            x <<= 4;
-            zeros += 4;
-        }
-        zeros + ZEROS[(x >> 28) as usize] as u32
-    }
 }
 
 /// `a b`
@@ -183,13 +161,6 @@ mod short {
 #[inline(always)]
 pub(super) const fn unsigned_product(a: u32, b: u32) -> u64 {
     (a as u64).wrapping_mul(b as u64)
-}
-
-/// How many leading digits of `x` are zero; 32 for zero.
-#[cfg(not(multiply = "short"))]
-#[inline(always)]
-pub(super) const fn leading_zeros(x: u32) -> u32 {
-    x.leading_zeros()
 }
 
 /// `a b`

@@ -6,8 +6,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use fixed::types::I2F30;
 
 use super::Scaled;
-use super::integer::{high_product, long_quotient, quotient, round_shift, round_sqrt};
-use super::product::{leading_zeros, unsigned_product};
+use super::integer::{high_product, leading_zeros, leading_zeros64, long_quotient, quotient, round_shift, round_sqrt};
+use super::product::unsigned_product;
 
 /// A number `mantissa * 2^(exponent - 30)` whose mantissa has 30 bits (2^29 <= |mantissa| < 2^30), or zero.
 ///
@@ -64,8 +64,14 @@ impl Scaled32 {
     }
 
     /// `x * 2^exponent`, rounded to 30 bits.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn new(x: i64, exponent: i32) -> Self {
+        Self::rounded(x, exponent)
+    }
+
+    /// The same inside the caller.
+    #[inline(always)]
+    pub(super) fn rounded(x: i64, exponent: i32) -> Self {
         let (top, exponent, sign) = Self::leading(x, exponent);
         // Two places less, rounded; a carry into bit 30 leaves a power of two, which halves exactly.
         let rounded = (top >> 2).wrapping_add((top >> 1) & 1);
@@ -130,13 +136,6 @@ impl Scaled32 {
     pub const fn exponent(self) -> i32 {
         self.exponent
     }
-
-    /// `value * 2^frac` rounded to an integer: the bits in a format with `frac` fraction bits, not yet clipped.
-    /// Magnitudes beyond 2^61 come back as about 2^61.
-    #[inline(always)]
-    pub(crate) const fn to_bits(self, frac: i32) -> i64 {
-        shift_product(self.mantissa as i64, 30i32.wrapping_sub(self.exponent).wrapping_sub(frac))
-    }
 }
 
 /// `x / 0`: the largest value with the sign of `x`, or zero.
@@ -157,7 +156,7 @@ pub(crate) const fn shift_product(x: i64, down: i32) -> i64 {
         if down > 61 { 0 } else { round_shift(x, down as u32) }
     } else {
         let up = down.unsigned_abs();
-        let zeros = x.unsigned_abs().leading_zeros();
+        let zeros = leading_zeros64(x.unsigned_abs());
         if x == 0 {
             0
         } else if up.wrapping_add(2) >= zeros {
@@ -181,7 +180,7 @@ impl Add for Scaled32 {
         }
         let kept = high.mantissa.wrapping_add(low.mantissa.wrapping_shr(gap));
         let rest = ((low.mantissa as u32) << 1).wrapping_shl(31 ^ gap);
-        Self::new((kept as i64) << 32 | rest as i64, high.exponent.wrapping_sub(62))
+        Self::rounded((kept as i64) << 32 | rest as i64, high.exponent.wrapping_sub(62))
     }
 }
 
@@ -240,7 +239,7 @@ impl Div for Scaled32 {
         let up = if n < d { 30 } else { 29 };
         let q = quotient(n, d, up) as i64;
         let exponent = self.exponent.wrapping_sub(other.exponent).wrapping_sub(up as i32);
-        Self::new(if negative { q.wrapping_neg() } else { q }, exponent)
+        Self::rounded(if negative { q.wrapping_neg() } else { q }, exponent)
     }
 }
 
@@ -281,7 +280,7 @@ impl Scaled for Scaled32 {
     }
 
     #[inline(always)]
-    fn is_impulse(self) -> bool {
+    fn is_positive(self) -> bool {
         self.mantissa > 0
     }
 

@@ -2,9 +2,9 @@
 
 use super::MAX_SLIP_ITERATIONS;
 use super::contact32::ONE;
-use super::integer::{high_product, inverse_root, reciprocal};
-use super::product::{dot, dot2, leading_zeros, product};
-use super::wide::{high, leading_zeros64, leading32, magnitude, narrow, times30};
+use super::integer::{high_product, inverse_root, leading_zeros, leading_zeros64, reciprocal};
+use super::product::{dot, dot2, product};
+use super::wide::{high, leading32, magnitude, narrow, times30};
 
 /// The equation of `impulse/slip.rs`, squared so that no root has to be taken: (t |N|)^2 = B^2, B = load D - t coupling . N
 /// with coupling = -mu K_nt / K_nn.
@@ -96,7 +96,7 @@ fn step(excess: i64, slope: i64) -> i32 {
     if slope <= 0 || (excess ^ (excess >> 63)) >= slope {
         return i32::MAX;
     }
-    let zeros = leading_zeros64(slope);
+    let zeros = leading_zeros64(slope as u64);
     let over = reciprocal(leading32(slope, zeros));
     high(product(high(excess.wrapping_shl(zeros.wrapping_sub(1))), (over >> 1) as i32)) << 1
 }
@@ -104,17 +104,16 @@ fn step(excess: i64, slope: i64) -> i32 {
 /// The vector over its length, in Q2.30.
 #[inline(always)]
 fn unit(v: [i32; 2]) -> [i32; 2] {
-    let up = magnitude([v[0], v[1], 0]).leading_zeros().wrapping_sub(2);
+    let up = leading_zeros(magnitude([v[0], v[1], 0])).wrapping_sub(2);
     let v = [v[0].wrapping_shl(up), v[1].wrapping_shl(up)];
     // In [2^58, 2^61).
     let square = dot2(v, v) as u64;
-    let places = leading_zeros64(square as i64) & 62;
+    let places = leading_zeros64(square) & 62;
     // 2^30 sqrt(2^64 / (square 2^places)), in [2^30, 2^31].
     let root = inverse_root((square.wrapping_shl(places) >> 32) as u32);
     // v root / 2^30 2^(places / 2) / 2^32
-    let down = 32u32.wrapping_sub(places / 2);
-    let d = |x: i32| product(x, (root >> 1) as i32).wrapping_shr(down.wrapping_sub(1)) as i32;
-    let d = [d(v[0]), d(v[1])];
+    let (half, down) = ((root >> 1) as i32, 31u32.wrapping_sub(places / 2));
+    let d = [product(v[0], half).wrapping_shr(down) as i32, product(v[1], half).wrapping_shr(down) as i32];
     // One step of Newton's for the length.
     let lacks = narrow::<31>((1i64 << 60).wrapping_sub(dot2(d, d)));
     [d[0].wrapping_add(times30(d[0], lacks)), d[1].wrapping_add(times30(d[1], lacks))]

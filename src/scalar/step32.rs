@@ -11,8 +11,8 @@ use fixed::FixedI32;
 use fixed::types::I2F30;
 use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30, U31};
 
-use super::integer::{round_shift, round_sqrt, wide_quotient};
-use super::product::{add_dot, dot, dot2, leading_zeros, product};
+use super::integer::{leading_zeros, round_shift, round_sqrt, wide_quotient};
+use super::product::{add_dot, dot, dot2, product};
 use super::scaled32::{Scaled32, shift_product};
 use super::step::{Column, StepArithmetic, Weights};
 use super::stored32::clip;
@@ -207,7 +207,7 @@ fn block(xx: i32, xy: i32, yy: i32, tangent: i32) -> [i32; 3] {
 
 #[inline(always)]
 fn ratio(x: Scaled32) -> i32 {
-    clip(x.to_bits(RATIO as i32)).0.max(-i32::MAX)
+    clip(shift_product(x.mantissa() as i64, (30 - RATIO as i32).wrapping_sub(x.exponent()))).0.max(-i32::MAX)
 }
 
 /// A quaternion that is nearly of unit length, brought to it.

@@ -6,7 +6,7 @@ use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30};
 
 use super::product::product;
 use super::scaled32::{Scaled32, shift_product};
-use super::wide::bits_of;
+use super::wide::{bits_of, high};
 use crate::math::Vec3;
 
 /// `x` clipped to 32 bits, and whether that changed it.
@@ -36,8 +36,9 @@ where
     }
     let down = (down as u32).min(31);
     let half = (1u32.wrapping_shl(down) >> 1) as i32;
-    let change = |d: i32| moved((product(d, k) >> 32) as i32, half, down);
-    if add_change(x, [change(d[0]), change(d[1]), change(d[2])]) { add_far(x, d, k, exponent) } else { false }
+    let d_k = [high(product(d[0], k)), high(product(d[1], k)), high(product(d[2], k))];
+    let change = [moved(d_k[0], half, down), moved(d_k[1], half, down), moved(d_k[2], half, down)];
+    if add_change(x, change) { add_far(x, d, k, exponent) } else { false }
 }
 
 /// `x + d` for a vector `d` in units of 2^exponent, and components of `x` in units of 2^-frac.
@@ -87,8 +88,27 @@ fn from_large<Frac>(x: Scaled32) -> (FixedI32<Frac>, bool)
 where
     Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
 {
-    let (bits, clipped) = clip(x.to_bits(Frac::I32));
-    (FixedI32::from_bits(bits), clipped)
+    let add = if is_rare(Frac::U32) { sum_apart } else { sum };
+    let (bits, met) = add(0, x.mantissa() as i64, 30i32.wrapping_sub(x.exponent()).wrapping_sub(Frac::I32));
+    (FixedI32::from_bits(bits), met)
+}
+
+/// `x + change / 2^down`, rounded and clipped, and whether the end of the range was met.
+#[inline(always)]
+const fn sum(x: i32, change: i64, down: i32) -> (i32, bool) {
+    clip(shift_product(change, down).wrapping_add(x as i64))
+}
+
+/// Whether numbers of 2^26 units of the last place are rare in a format: then they may take longer.
+const fn is_rare(frac: u32) -> bool {
+    frac <= 20
+}
+
+/// The same sum outside the caller.
+#[cold]
+#[inline(never)]
+const fn sum_apart(x: i32, change: i64, down: i32) -> (i32, bool) {
+    sum(x, change, down)
 }
 
 /// The same for changes of 2^26 units of the last place and more.
@@ -100,9 +120,10 @@ where
 {
     let down = 60i32.wrapping_sub(Frac::I32).wrapping_sub(exponent);
     let bits = bits_of(x);
-    let (x0, met0) = clip(shift_product(product(d[0], k), down).wrapping_add(bits[0] as i64));
-    let (x1, met1) = clip(shift_product(product(d[1], k), down).wrapping_add(bits[1] as i64));
-    let (x2, met2) = clip(shift_product(product(d[2], k), down).wrapping_add(bits[2] as i64));
+    let add = if is_rare(Frac::U32) { sum_apart } else { sum };
+    let (x0, met0) = add(bits[0], product(d[0], k), down);
+    let (x1, met1) = add(bits[1], product(d[1], k), down);
+    let (x2, met2) = add(bits[2], product(d[2], k), down);
     *x = Vec3::new(FixedI32::from_bits(x0), FixedI32::from_bits(x1), FixedI32::from_bits(x2));
     met0 | met1 | met2
 }

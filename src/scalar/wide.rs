@@ -4,7 +4,7 @@ use fixed::FixedI32;
 use fixed::types::I2F30;
 
 use super::integer::long_quotient;
-use super::product::{dot, leading_zeros, product};
+use super::product::{dot, product};
 use crate::math::Vec3;
 
 /// `x / 2^K` cut off, for results within 32 bits. (From halves: the compiler then knows that a product of it is one of
@@ -51,13 +51,6 @@ pub(super) fn high(x: i64) -> i32 {
     (x >> 32) as i32
 }
 
-/// The leading zeros of a number above zero.
-#[inline(always)]
-pub(super) fn leading_zeros64(x: i64) -> u32 {
-    let (high, low) = ((x >> 32) as u32, x as u32);
-    if high == 0 { leading_zeros(low).wrapping_add(32) } else { leading_zeros(high) }
-}
-
 /// The leading 32 bits of a positive number, for the number of its leading zeros.
 #[inline(always)]
 pub(super) fn leading32(x: i64, zeros: u32) -> u32 {
@@ -67,6 +60,11 @@ pub(super) fn leading32(x: i64, zeros: u32) -> u32 {
 #[inline(always)]
 pub(super) const fn max(a: i32, b: i32) -> i32 {
     if a < b { b } else { a }
+}
+
+#[inline(always)]
+pub(super) const fn min(a: i32, b: i32) -> i32 {
+    if b < a { b } else { a }
 }
 
 /// `a b / 2^30` cut off: a product of numbers in Q2.30.
@@ -79,6 +77,18 @@ pub(super) fn times30(a: i32, b: i32) -> i32 {
 #[inline(always)]
 pub(super) fn dot30(a: [i32; 3], b: [i32; 3]) -> i32 {
     narrow::<30>(dot(a, b))
+}
+
+/// `v + k n` for a unit vector n, cut off.
+#[inline(always)]
+pub(super) fn plus30(v: [i32; 3], n: [i32; 3], k: i32) -> [i32; 3] {
+    [v[0].wrapping_add(times30(k, n[0])), v[1].wrapping_add(times30(k, n[1])), v[2].wrapping_add(times30(k, n[2]))]
+}
+
+/// `-v`, for components above the lowest number.
+#[inline(always)]
+pub(super) const fn minus(v: [i32; 3]) -> [i32; 3] {
+    [v[0].wrapping_neg(), v[1].wrapping_neg(), v[2].wrapping_neg()]
 }
 
 /// `2^61 / d` for `d` in `[2^31, 2^32)`.

@@ -1,7 +1,8 @@
 //! The half-space: all that lies behind a plane.
 
 use crate::aabb::Aabb;
-use crate::math::{Pose, UnitVec3};
+use crate::math::{Pose, UnitVec3, Vec3};
+use crate::query::{self, Ray, RayHit, SurfacePoint};
 use crate::scalar::Scalar;
 use crate::shape::Shape;
 
@@ -33,5 +34,15 @@ impl<S: Scalar> Shape<S> for HalfSpace<S> {
     #[inline(always)]
     fn inner_radius(&self) -> S {
         S::LARGEST
+    }
+
+    #[inline]
+    fn cast_ray(&self, pose: &Pose<S>, ray: &Ray<S>) -> Option<RayHit<S>> {
+        query::cast(self, pose, ray)
+    }
+
+    #[inline]
+    fn closest_point(&self, pose: &Pose<S>, point: Vec3<S>) -> Option<SurfacePoint<S>> {
+        query::closest_point(self, pose, point)
     }
 }

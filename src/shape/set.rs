@@ -51,6 +51,18 @@ macro_rules! shapes {
             fn inner_radius(&self) -> $s {
                 match self { $(Self::$variant(shape) => $crate::Shape::<$s>::inner_radius(shape),)+ }
             }
+
+            fn cast_ray(&self, pose: &$crate::Pose<$s>, ray: &$crate::Ray<$s>) -> Option<$crate::RayHit<$s>> {
+                match self { $(Self::$variant(shape) => $crate::Shape::<$s>::cast_ray(shape, pose, ray),)+ }
+            }
+
+            fn closest_point(
+                &self,
+                pose: &$crate::Pose<$s>,
+                point: $crate::Vec3<$s>,
+            ) -> Option<$crate::SurfacePoint<$s>> {
+                match self { $(Self::$variant(shape) => $crate::Shape::<$s>::closest_point(shape, pose, point),)+ }
+            }
         }
 
         impl<$($life,)* $s: $crate::Scalar> $name<$($life,)* $s> {

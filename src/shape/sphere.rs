@@ -4,6 +4,7 @@ use crate::aabb::Aabb;
 use crate::error::{ShapeError, SolidError};
 use crate::mass::Solid;
 use crate::math::{Pose, Vec3};
+use crate::query::{self, Ray, RayHit, SurfacePoint};
 use crate::scalar::Scalar;
 use crate::shape::{Shape, is_positive};
 
@@ -14,6 +15,9 @@ pub struct Sphere<S> {
 }
 
 impl<S: Scalar> Sphere<S> {
+    /// A point, for the library's own questions.
+    pub(crate) const POINT: Self = Self { radius: S::ZERO };
+
     /// A ball of that radius, m.
     ///
     /// # Errors
@@ -46,5 +50,15 @@ impl<S: Scalar> Shape<S> for Sphere<S> {
     #[inline(always)]
     fn inner_radius(&self) -> S {
         self.radius
+    }
+
+    #[inline]
+    fn cast_ray(&self, pose: &Pose<S>, ray: &Ray<S>) -> Option<RayHit<S>> {
+        query::cast(self, pose, ray)
+    }
+
+    #[inline]
+    fn closest_point(&self, pose: &Pose<S>, point: Vec3<S>) -> Option<SurfacePoint<S>> {
+        query::closest_point(self, pose, point)
     }
 }

@@ -165,9 +165,9 @@ fn manifolds<S: HostScalar>(
             let speed = length(b.linear_velocity - a.linear_velocity);
             let way = dt * (speed + (length(a.angular_velocity) + length(b.angular_velocity)) * size);
             let margin = number(margin * size + if way > size { way } else { 0.0 });
-            let mut manifold = None;
+            let mut manifold = Manifold::empty(UnitVec3::Z);
             shape_a.build::<S>().collide(&pose(a), &shape_b.build(), &pose(b), margin, &mut manifold);
-            if let Some(manifold) = manifold.filter(|manifold: &Manifold<S>| !manifold.points().is_empty()) {
+            if !manifold.is_empty() {
                 found.push(([i as u16, j as u16], manifold));
             }
         }

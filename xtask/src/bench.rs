@@ -157,8 +157,7 @@ fn recipes(options: &Options) -> Vec<Recipe> {
     let mut recipes = Vec::new();
     for target in targets {
         for opt in wanted(&options.opt, &Opt::ALL) {
-            let here = firmware.iter().filter(|firmware| opt == Opt::Speed || firmware.for_size_on(target));
-            recipes.extend(here.map(|&firmware| Recipe { firmware, target, opt }));
+            recipes.extend(firmware.iter().map(|&firmware| Recipe { firmware, target, opt }));
         }
     }
     recipes

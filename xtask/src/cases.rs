@@ -34,13 +34,22 @@ const IMPACTS: &[Case] = &[
 
 const MEASURED: &[&str] = &["--input", "{validation}/planar_impacts/ellipse_impacts_dev1000.csv"];
 
+/// The core's own arithmetic, under every fixed-point format alike.
+const PRODUCTS: &[Case] = &[Case { scalars: &[Scalar::I16F16], boards: Board::ALL, arguments: &[] }];
+
 /// The cases of an example.
 pub fn cases(example: &str) -> &'static [Case] {
     match example {
         "billiard_break" => BILLIARD_BREAK,
         "impacts" => IMPACTS,
+        "products" => PRODUCTS,
         _ => EVERYWHERE,
     }
+}
+
+/// Whether the example does anything in firmware of that feature.
+pub fn is_for(example: &str, feature: &str) -> bool {
+    example != "products" || feature == "fixed"
 }
 
 /// Whether this machine runs the example unoptimised too, and compares.

@@ -9,6 +9,7 @@ mod thumb;
 
 use crate::bench::image::{self as bench_image, Firmware, Opt, Recipe};
 use crate::boards::{Board, FEATURES, TARGETS};
+use crate::cases;
 use crate::firmware::{Build, Profile};
 use crate::process;
 use crate::setup;
@@ -63,6 +64,8 @@ pub fn run(options: &Options) -> Result<()> {
         }
         for feature in FEATURES.into_iter().filter(|&one| options.feature.as_deref().unwrap_or(one) == one) {
             for profile in [Profile::Release, Profile::Checked] {
+                let examples: Vec<String> =
+                    examples.iter().filter(|example| cases::is_for(example, feature)).cloned().collect();
                 if !examples.is_empty() && options.profile.unwrap_or(profile) == profile {
                     repeats.extend(check_build(&toolchain, Build { target, feature, profile }, &examples)?);
                 }

@@ -90,6 +90,9 @@ struct GeometryArgs {
     /// The same shapes a thousand times smaller, in units that suit the number type; errors in millimetres
     #[arg(long)]
     millimetres: bool,
+    /// Boxes as convex hulls of their corners, planes as flat height fields
+    #[arg(long)]
+    disguised: bool,
 }
 
 #[derive(Debug, Args)]
@@ -148,8 +151,11 @@ fn execute(command: Command) -> Result<Report> {
         Command::Planar(PlanarArgs { common: Common { file, scalar, out }, mu, restitution }) => {
             scalars::run(scalar, Planar { file: &file, number: scalar, out: out.as_deref(), mu, restitution })
         }
-        Command::Geometry(GeometryArgs { common: Common { file, scalar, out }, millimetres }) => {
-            scalars::run(scalar, Geometry { file: &file, number: scalar, out: out.as_deref(), millimetres })
+        Command::Geometry(GeometryArgs { common: Common { file, scalar, out }, millimetres, disguised }) => {
+            scalars::run(
+                scalar,
+                Geometry { file: &file, number: scalar, out: out.as_deref(), millimetres, disguised: [disguised; 2] },
+            )
         }
     }
 }

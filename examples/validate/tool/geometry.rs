@@ -6,13 +6,15 @@ mod shape;
 use std::fmt::Write;
 use std::path::Path;
 
-pub use self::checker::{Checker, Kernel, Pair, kernel};
-pub use self::shape::{Placed, Shape, Solid};
+#[allow(unused_imports)] // Tests have a use for all of them.
+pub use self::checker::{Checker, Found, Kernel, Pair, kernel};
+#[allow(unused_imports)] // Tests have a use for all of them.
+pub use self::shape::{Placed, Shape, Solid, separation};
 
-use super::error::{Error, Result};
+use super::error::Result;
 use super::number::{Job, Number};
 use super::output::Output;
-use super::progress::Progress;
+use super::progress::each_row;
 use super::report::{Report, failed, problem, tables, tolerances};
 use super::table::{Row, Table, quoted};
 use super::tolerances::File;
@@ -27,6 +29,8 @@ pub struct Geometry<'a> {
     pub out: Option<&'a Path>,
     /// The same rows a thousand times smaller.
     pub millimetres: bool,
+    /// Which of the two shapes are computed as others that are equal to them: boxes as hulls, planes as flat height fields.
+    pub disguised: [bool; 2],
 }
 
 impl Job for Geometry<'_> {
@@ -42,6 +46,9 @@ impl Job for Geometry<'_> {
                 self.units().length
             );
         }
+        if self.disguised == [true; 2] {
+            text.push_str("boxes as hulls of their corners, planes as flat height fields\n");
+        }
         let Checker { rows, samples, not_representable, tied, failures, .. } = &checker;
         let _ = writeln!(
             text,
@@ -56,12 +63,16 @@ impl Job for Geometry<'_> {
         }
         failed(&mut text, failures);
         tables(&mut text, samples);
-        let exceeded = tolerances(&mut text, File::Geometry, self.number, samples);
+        let exceeded = tolerances(&mut text, self.kind(), self.number, samples);
         Ok(Report { text, problem: problem(failures.len(), exceeded) })
     }
 }
 
 impl Geometry<'_> {
+    fn kind(&self) -> File {
+        if self.disguised == [false; 2] { File::Geometry } else { File::Disguised }
+    }
+
     fn units(&self) -> Units {
         if self.millimetres { Units::of_millimetres(self.number) } else { Units::SI }
     }
@@ -71,7 +82,7 @@ impl Geometry<'_> {
         let header = ["id", "dist", "nx", "ny", "nz"];
         let mut output = self.out.map(|path| Output::create(path, self.file, &header)).transpose()?;
         let shrink = if self.millimetres { 1e-3 } else { 1.0 };
-        let mut checker = Checker::new(kernel, shrink, self.units().length);
+        let mut checker = Checker::new(kernel, self.disguised, shrink, self.units().length);
         read(self.file, |pair| match (checker.check(&pair), &mut output) {
             (Some(found), Some(output)) => {
                 let [x, y, z] = found.normal;
@@ -89,14 +100,7 @@ pub fn read(file: &Path, mut each: impl FnMut(Pair) -> Result<()>) -> Result<()>
     let mut table = Table::open(file)?;
     let columns =
         Columns(table.columns(["id", "A", "B", "sizeA", "sizeB", "posA", "posB", "quatA", "quatB", "dist", "normal"])?);
-    let mut progress = Progress::new();
-    let mut rows = 0;
-    while let Some(row) = table.next_row()? {
-        each(columns.read(row)?)?;
-        rows += 1;
-        progress.advance(&table);
-    }
-    if rows == 0 { Err(Error::of_file(file, "has no rows")) } else { Ok(()) }
+    each_row(&mut table, |row| each(columns.read(row)?))
 }
 
 /// Where everything is.

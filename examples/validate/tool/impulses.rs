@@ -4,12 +4,12 @@ use std::path::Path;
 
 use super::checker::{Case, Checker};
 use super::closed_form;
-use super::error::{Error, Result};
+use super::error::Result;
 use super::kernel::{Found, Setup};
 use super::number::{Job, Number};
 use super::output::Output;
 use super::problem::{Body, Mode, Problem, State};
-use super::progress::Progress;
+use super::progress::each_row;
 use super::report::{Report, report};
 use super::table::{Row, Table, quoted};
 use super::tolerances::File;
@@ -56,14 +56,7 @@ impl Impulses<'_> {
 pub fn read(file: &Path, mut each: impl FnMut(Case) -> Result<()>) -> Result<()> {
     let mut table = Table::open(file)?;
     let columns = Columns::find(&table)?;
-    let mut progress = Progress::new();
-    let mut rows = 0;
-    while let Some(row) = table.next_row()? {
-        each(columns.read(row)?)?;
-        rows += 1;
-        progress.advance(&table);
-    }
-    if rows == 0 { Err(Error::of_file(file, "has no rows")) } else { Ok(()) }
+    each_row(&mut table, |row| each(columns.read(row)?))
 }
 
 fn numbers(found: &Found) -> impl Iterator<Item = f64> {

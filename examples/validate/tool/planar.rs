@@ -15,7 +15,7 @@ use super::kernel::{Found, Setup};
 use super::number::{Job, Number};
 use super::output::Output;
 use super::problem::{Body, Problem};
-use super::progress::Progress;
+use super::progress::each_row;
 use super::report::{Report, report};
 use super::statistics::summary;
 use super::table::{Row, Table};
@@ -89,12 +89,13 @@ impl Job for Planar<'_> {
 impl Planar<'_> {
     /// Runs a kernel on every row, and writes the results.
     pub fn check<S: HostScalar>(&self, kernel: fn(Setup<S>) -> Found) -> Result<Findings<S>> {
-        let (table, source) = self.open()?;
+        let (mut table, source) = self.open()?;
         let checker = Checker::new(self.number, kernel, newton::resolve);
         let units = source.units(self.number);
         let mut findings = Findings { checker, units, skipped: 0, unsolved: 0, distances: Vec::new() };
         let mut output = self.out.map(|path| Output::create(path, self.file, &OUTPUT)).transpose()?;
-        read(table, &source, |entry| {
+        each_row(&mut table, |row| {
+            let entry = source.read(row)?;
             match entry {
                 Entry::Impact(case, measured) => {
                     if let (Some((id, numbers)), Some(output)) = (findings.check(*case, measured), &mut output) {
@@ -115,17 +116,6 @@ impl Planar<'_> {
         let source = Source::find(&table, self)?;
         Ok((table, source))
     }
-}
-
-fn read(mut table: Table, source: &Source, mut each: impl FnMut(Entry) -> Result<()>) -> Result<()> {
-    let mut progress = Progress::new();
-    let mut rows = 0;
-    while let Some(row) = table.next_row()? {
-        each(source.read(row)?)?;
-        rows += 1;
-        progress.advance(&table);
-    }
-    if rows == 0 { Err(Error::of_file(table.path(), "has no rows")) } else { Ok(()) }
 }
 
 impl<S: HostScalar> Findings<S> {

@@ -4,24 +4,25 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::table::Table;
+use super::error::{Error, Result};
+use super::table::{Row, Table};
 
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Nothing for the first second.
-pub struct Progress {
+struct Progress {
     start: Instant,
     bar: Option<ProgressBar>,
     rows: u64,
 }
 
 impl Progress {
-    pub fn new() -> Self {
+    fn new() -> Self {
         Self { start: Instant::now(), bar: None, rows: 0 }
     }
 
     /// Another row of that file was done.
-    pub fn advance(&mut self, table: &Table) {
+    fn advance(&mut self, table: &Table) {
         self.rows += 1;
         if self.rows % 64 != 0 || self.start.elapsed() < PATIENCE {
             return;
@@ -34,6 +35,16 @@ impl Progress {
         });
         bar.set_position(read);
     }
+}
+
+/// Every row of a file, of which there must be one; a bar shows how far it is.
+pub fn each_row(table: &mut Table, mut each: impl FnMut(Row<'_>) -> Result<()>) -> Result<()> {
+    let mut progress = Progress::new();
+    while let Some(row) = table.next_row()? {
+        each(row)?;
+        progress.advance(table);
+    }
+    if progress.rows == 0 { Err(Error::of_file(table.path(), "has no rows")) } else { Ok(()) }
 }
 
 impl Drop for Progress {

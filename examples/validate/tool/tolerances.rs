@@ -12,6 +12,8 @@ pub enum File {
     Planar,
     /// Pairs of shapes.
     Geometry,
+    /// The same, boxes as hulls and planes as height fields.
+    Disguised,
 }
 
 /// Which rows of it.
@@ -101,6 +103,7 @@ const IMPULSES: &[File] = &[File::Impulses];
 const PLANAR: &[File] = &[File::Planar];
 const BOTH: &[File] = &[File::Impulses, File::Planar];
 const GEOMETRY: &[File] = &[File::Geometry];
+const SHAPES: &[File] = &[File::Geometry, File::Disguised];
 const ALL: &[Number] = &[Number::F32, Number::F64, Number::I16F16, Number::I12F20, Number::I8F24, Number::Micromath];
 const FIXED: &[Number] = &[Number::I16F16, Number::I12F20, Number::I8F24];
 const I16: &[Number] = &[Number::I16F16];
@@ -180,24 +183,29 @@ pub const TABLE: &[Tolerance] = &[
     entry(BOTH, MICROMATH, Q::StoredImpulse, All, 3.0, Found, "its root, of which five bits are lost"),
     entry(BOTH, MICROMATH, Q::StoredVelocity, All, 3.0, Found, IMAGE),
     entry(IMPULSES, MICROMATH, Q::SpinImage, All, 1.5e-6, Found, IMAGE),
-    entry(GEOMETRY, F32, Q::Distance, All, 2e-6, Required, "sizes and places of 1 to 3, each with 6e-8 of itself"),
+    entry(SHAPES, F32, Q::Distance, All, 2e-6, Required, "sizes and places of 1 to 3, each with 6e-8 of itself"),
     entry(GEOMETRY, F32, Q::Distance, All, 5e-7, Found, "a few roundings of numbers near 2"),
-    entry(GEOMETRY, F64, Q::Distance, All, 1e-11, Required, "the file has twelve digits"),
-    entry(GEOMETRY, I16, Q::Distance, All, 1e-3, Required, "64 units of the last place"),
+    entry(SHAPES, F64, Q::Distance, All, 1e-11, Required, "the file has twelve digits"),
+    entry(SHAPES, I16, Q::Distance, All, 1e-3, Required, "64 units of the last place"),
     entry(GEOMETRY, I16, Q::Distance, All, 4e-5, Found, UNITS),
-    entry(GEOMETRY, I12, Q::Distance, All, 6.3e-5, Required, "64 units of the last place"),
+    entry(SHAPES, I12, Q::Distance, All, 6.3e-5, Required, "64 units of the last place"),
     entry(GEOMETRY, I12, Q::Distance, All, 2.5e-6, Found, UNITS),
-    entry(GEOMETRY, I8, Q::Distance, All, 3.9e-6, Required, "64 units of the last place"),
+    entry(SHAPES, I8, Q::Distance, All, 3.9e-6, Required, "64 units of the last place"),
     entry(GEOMETRY, I8, Q::Distance, All, 2e-7, Found, UNITS),
     entry(GEOMETRY, MICROMATH, Q::Distance, All, 5e-6, Found, "its root, of lengths up to 2"),
-    entry(GEOMETRY, ALL, Q::Normal, All, 1e-3, Required, "rows with tied axes excepted"),
+    entry(SHAPES, ALL, Q::Normal, All, 1e-3, Required, "rows with tied axes excepted"),
     entry(GEOMETRY, F32, Q::Normal, All, 5e-6, Found, "ways of 0.1, each with 6e-8 of what they are the difference of"),
     entry(GEOMETRY, F64, Q::Normal, All, 4e-12, Found, "the file has twelve digits"),
     entry(GEOMETRY, I16, Q::Normal, All, 5e-4, Found, "the same, with 1e-5"),
     entry(GEOMETRY, I12, Q::Normal, All, 6e-5, Found, "the same, with 7e-7"),
     entry(GEOMETRY, I8, Q::Normal, All, 4e-6, Found, "the same, with 4e-8"),
     entry(GEOMETRY, MICROMATH, Q::Normal, All, 5e-6, Found, "its root"),
-    entry(GEOMETRY, ALL, Q::Contact, All, 6e-5, Found, "two units of the last place of i16f16"),
+    entry(GEOMETRY, F32, Q::Contact, All, 6e-7, Found, "a few roundings of numbers near 2"),
+    entry(GEOMETRY, F64, Q::Contact, All, 1e-12, Found, "the file has twelve digits"),
+    entry(GEOMETRY, I16, Q::Contact, All, 4e-5, Found, UNITS),
+    entry(GEOMETRY, I12, Q::Contact, All, 2.5e-6, Found, UNITS),
+    entry(GEOMETRY, I8, Q::Contact, All, 2e-7, Found, UNITS),
+    entry(GEOMETRY, MICROMATH, Q::Contact, All, 5e-6, Found, "its root, of lengths up to 2"),
 ];
 
 /// What the replayed tosses of a cube must reach.

@@ -5,7 +5,7 @@
 
 use super::super::point_cuboid::{direction, outside};
 use super::super::segment_cuboid::{Near, nearest};
-use super::{Axis, Placed, Relative, Segment, crossing_edges, cycled, is_first, separating_axis};
+use super::{Axis, Placed, Relative, Segment, closest_in_order, crossing_edges, cycled, separating_axis, uncycled};
 use crate::math::{UnitVec3, Vec3};
 use crate::scalar::Scalar;
 use crate::shape::{Closest, Cuboid};
@@ -14,7 +14,7 @@ use crate::shape::{Closest, Cuboid};
 const SIGNS: [(bool, bool); 4] = [(false, false), (true, false), (true, true), (false, true)];
 
 pub fn closest<S: Scalar>(a: Placed<'_, S, Cuboid<S>>, b: Placed<'_, S, Cuboid<S>>) -> Closest<S> {
-    if is_first(b.1.position - a.1.position) { ordered(a, b) } else { ordered(b, a).swapped() }
+    closest_in_order(a, b, ordered)
 }
 
 fn ordered<S: Scalar>((a, pose_a): Placed<'_, S, Cuboid<S>>, (b, pose_b): Placed<'_, S, Cuboid<S>>) -> Closest<S> {
@@ -44,7 +44,7 @@ struct Found<S: Scalar> {
 /// The direction of an axis with the sign of that component.
 fn signed_axis<S: Scalar>(axis: u8, along: S) -> Vec3<S::Unit> {
     let one = if along < S::ZERO { S::Unit::ONE.negated() } else { S::Unit::ONE };
-    cycled(Vec3::new(one, S::Unit::ZERO, S::Unit::ZERO), (3 - axis) % 3)
+    uncycled(Vec3::new(one, S::Unit::ZERO, S::Unit::ZERO), axis)
 }
 
 /// The corner of a box that goes farthest in a direction.
@@ -83,7 +83,7 @@ fn apart<S: Scalar>(half: [Vec3<S>; 2], relative: &Relative<S>) -> Found<S> {
     for _ in 0..3 {
         let [x, y, z] = rows;
         let (e, f) = (Vec3::of_length(h.y, y), Vec3::of_length(h.z, z));
-        for (minus_e, minus_f) in SIGNS {
+        for &(minus_e, minus_f) in &SIGNS {
             let middle = (if minus_e { -e } else { e }) + (if minus_f { -f } else { f }) - relative.in_b;
             let edge = Segment { middle, axis: x, half: h.x };
             best = best.nearer(Candidate::of_edge(&edge, b));
@@ -114,7 +114,7 @@ fn of_corners<S: Scalar>([a, b]: [Vec3<S>; 2], relative: &Relative<S>) -> Candid
     let [x, y, z] = relative.rotation.columns();
     let [e, f, g] = [Vec3::of_length(b.x, x), Vec3::of_length(b.y, y), Vec3::of_length(b.z, z)];
     let mut best = Candidate::of_corner(relative.in_a + e + f + g, a);
-    for (minus_e, minus_f) in SIGNS {
+    for &(minus_e, minus_f) in &SIGNS {
         let middle = relative.in_a + (if minus_e { -e } else { e }) + (if minus_f { -f } else { f });
         best = best.nearer(Candidate::of_corner(middle + g, a));
         best = best.nearer(Candidate::of_corner(middle - g, a));

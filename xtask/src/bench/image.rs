@@ -1,6 +1,6 @@
 //! Building the firmware that measures: one image for a target, an opt-level and a family of number types.
 
-use crate::boards::{Scalar, TARGETS};
+use crate::boards::Scalar;
 use crate::process;
 use crate::toolchain::Toolchain;
 use crate::workspace;
@@ -56,15 +56,6 @@ pub struct Firmware {
     feature: Option<&'static str>,
     /// What it can be asked for.
     pub scalars: &'static [Scalar],
-    /// Where it is built for size too.
-    size: &'static [&'static str],
-}
-
-impl Firmware {
-    /// Whether it is built for size, besides speed.
-    pub fn for_size_on(&self, target: &str) -> bool {
-        self.size.contains(&target)
-    }
 }
 
 /// Carom in fixed point, and in floating point.
@@ -74,24 +65,21 @@ pub const OWN: [Firmware; 2] = [
         workspace: ".",
         feature: Some("fixed"),
         scalars: &[Scalar::I16F16, Scalar::I12F20, Scalar::I8F24],
-        size: &TARGETS,
     },
     Firmware {
         package: "carom-bench",
         workspace: ".",
         feature: Some("float"),
         scalars: &[Scalar::F32, Scalar::Micromath],
-        size: &TARGETS,
     },
 ];
 
-/// Other libraries. They take long to compile: for size on one target only.
+/// Other libraries.
 pub const PEERS: Firmware = Firmware {
     package: "carom-bench-peers",
     workspace: "benches/peers",
     feature: None,
     scalars: &[Scalar::F32, Scalar::I16F16],
-    size: &["thumbv7em-none-eabihf"],
 };
 
 /// What an image is built from, and for.

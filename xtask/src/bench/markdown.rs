@@ -11,8 +11,11 @@ use anyhow::{Context, Result};
 /// The number types in the order of the tables.
 const SCALARS: [Scalar; 5] = [Scalar::F32, Scalar::Micromath, Scalar::I16F16, Scalar::I12F20, Scalar::I8F24];
 
-/// For the README: an impulse on every board.
+/// For the README: an impulse on every board, and what it takes of the memory.
 pub fn short(snapshot: &Snapshot) -> String {
+    let instructions: fn(&Figure) -> u32 = |figure| figure.instructions;
+    let flash: fn(&Figure) -> u32 = |figure| figure.flash;
+    let stack: fn(&Figure) -> u32 = |figure| figure.stack;
     let rows = [
         ("impulse, `f32`", OWN, "resolve", Scalar::F32),
         ("impulse, `I16F16`", OWN, "resolve", Scalar::I16F16),
@@ -23,11 +26,19 @@ pub fn short(snapshot: &Snapshot) -> String {
         ("*impulse by hand with glam, `f32`*", "glam", "resolve", Scalar::F32),
         ("*impulse by hand in plain `I16F16`, which cuts off and wraps*", "fixed", "resolve", Scalar::I16F16),
     ];
+    let bytes = [
+        ("bytes of flash, `I16F16` without friction", "resolve", flash),
+        ("bytes of flash, `I16F16` with friction", "friction_slip", flash),
+        ("bytes of stack, `I16F16` without friction", "resolve", stack),
+        ("bytes of stack, `I16F16` with friction", "friction_slip", stack),
+    ];
+    let rows = rows.map(|(name, by, operation, scalar)| (name, by, operation, scalar, instructions)).into_iter();
+    let bytes = bytes.map(|(name, operation, of)| (name, OWN, operation, Scalar::I16F16, of));
     let mut table = Grid::new(["instructions", "M0", "M3", "M4F", "M7", "M33"]);
-    for (name, by, operation, scalar) in rows {
+    for (name, by, operation, scalar, of) in rows.chain(bytes) {
         let cells = Board::ALL.iter().map(|&board| {
             let figure = snapshot.find(board, by, operation, scalar, Opt::Speed);
-            figure.map_or_else(String::new, |figure| grouped(figure.instructions))
+            figure.map_or_else(String::new, |figure| grouped(of(figure)))
         });
         table.row([name.to_owned()].into_iter().chain(cells));
     }

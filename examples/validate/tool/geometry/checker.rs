@@ -1,6 +1,6 @@
 //! Asks the kernel for the distance of pair after pair, and keeps what is to be said about them.
 
-use carom::{Collide, Manifold, Pose, Vec3};
+use carom::{Collide, Manifold, Pose, UnitVec3, Vec3};
 
 use super::shape::{Placed, Solid, separation};
 use crate::host::HostScalar;
@@ -27,14 +27,14 @@ pub struct Found {
 }
 
 /// What is asked for a pair: in the kernel's own format and units.
-pub type Kernel<S> = fn([(Solid<S>, Pose<S>); 2]) -> Option<Found>;
+pub type Kernel<S> = fn([(Solid<'_, S>, Pose<S>); 2]) -> Option<Found>;
 
 /// The kernel as it is.
-pub fn kernel<S: HostScalar>([(a, pose_a), (b, pose_b)]: [(Solid<S>, Pose<S>); 2]) -> Option<Found> {
+pub fn kernel<S: HostScalar>([(a, pose_a), (b, pose_b)]: [(Solid<'_, S>, Pose<S>); 2]) -> Option<Found> {
     let closest = a.closest(&pose_a, &b, &pose_b)?;
-    let mut manifold: Option<Manifold<S>> = None;
+    let mut manifold = Manifold::empty(UnitVec3::Z);
     a.collide(&pose_a, &b, &pose_b, S::ZERO, &mut manifold);
-    let separations = manifold.iter().flat_map(Manifold::points).map(|point| point.separation.to_f64());
+    let separations = manifold.points().iter().map(|point| point.separation.to_f64());
     let Vec3 { x, y, z } = closest.normal.get();
     Some(Found {
         distance: closest.separation.to_f64(),
@@ -46,6 +46,8 @@ pub fn kernel<S: HostScalar>([(a, pose_a), (b, pose_b)]: [(Solid<S>, Pose<S>); 2
 /// All about the pairs so far, in one number type.
 pub struct Checker<S: HostScalar> {
     kernel: Kernel<S>,
+    /// Which of the two shapes are computed as others that are equal to them.
+    disguised: [bool; 2],
     /// The rows are made that much smaller, and computed in units of that length.
     shrink: f64,
     unit: f64,
@@ -64,16 +66,29 @@ const ANOTHER: f64 = 1e-3;
 const AS_GOOD: f64 = 4.0;
 
 impl<S: HostScalar> Checker<S> {
-    pub fn new(kernel: Kernel<S>, shrink: f64, unit: f64) -> Self {
-        Self { kernel, shrink, unit, rows: 0, samples: vec![], not_representable: 0, tied: vec![], failures: vec![] }
+    pub fn new(kernel: Kernel<S>, disguised: [bool; 2], shrink: f64, unit: f64) -> Self {
+        Self {
+            kernel,
+            disguised,
+            shrink,
+            unit,
+            rows: 0,
+            samples: vec![],
+            not_representable: 0,
+            tied: vec![],
+            failures: vec![],
+        }
     }
 
     /// What the kernel makes of the pair, in the size of the file; `None` where the format cannot hold it.
     pub fn check(&mut self, pair: &Pair) -> Option<Found> {
         self.rows += 1;
         let scale_to = self.shrink / self.unit;
-        let [a, b] = pair.shapes.map(|placed| placed.scaled(scale_to).for_kernel::<S>());
-        let (Some(a), Some(b)) = (a, b) else {
+        let shapes = pair.shapes.map(|placed| placed.scaled(scale_to));
+        let disguises = [0, 1].map(|k| if self.disguised[k] { shapes[k].disguise::<S>(4.0 * scale_to) } else { None });
+        let [a, b] = [0, 1].map(|k| shapes[k].for_kernel(disguises[k].as_ref()));
+        let unfit = (0..2).any(|k| self.disguised[k] && disguises[k].is_none());
+        let (Some(a), Some(b), false) = (a, b, unfit) else {
             self.not_representable += 1;
             return None;
         };
@@ -98,7 +113,8 @@ impl<S: HostScalar> Checker<S> {
         let away = norm(sub(found.normal, pair.normal));
         let as_good = f64::max(AS_GOOD * spacing, 1e-6);
         let n = scale(1.0 / norm(found.normal), found.normal);
-        if away > ANOTHER && separation(&pair.shapes, n) >= pair.distance - as_good {
+        let is_right = |n| separation(&pair.shapes, n) >= pair.distance - as_good;
+        if away > ANOTHER && is_right(n) && is_right(pair.normal) {
             self.tied.push(format!("{} ({:.1e})", pair.id, away));
         } else {
             errors.set(Quantity::Normal, away);

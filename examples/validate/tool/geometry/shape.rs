@@ -1,13 +1,20 @@
 //! Shapes on the host, in f64: what they are, how far they reach in a direction, and the same for the kernel.
 
-use carom::{Capsule, Cuboid, HalfSpace, Pose, Quat, Sphere, UnitVec3, Vec3};
+use carom::{Capsule, ConvexHull, Cuboid, HalfSpace, HeightField, Pose, Quat, Sphere, UnitVec3, Vec3};
 
 use crate::host::HostScalar;
 use crate::tool::vector::{Matrix, Vector, add, dot, norm, rotation, scale};
 
 carom::shapes! {
     /// A shape for the kernel.
-    pub enum Solid<S> { Sphere, Cuboid, Capsule, HalfSpace }
+    pub enum Solid<'a, S> { Sphere, Cuboid, Capsule, HalfSpace, Hull(&'a ConvexHull<S, 8>), HeightField(HeightField<'a, S>) }
+}
+
+/// What shapes that are references refer to: a box as the hull of its eight corners, a half-space as a flat height field.
+pub enum Disguise<S: HostScalar> {
+    None,
+    Hull(ConvexHull<S, 8>),
+    Field { heights: [S; 81], spacing: S },
 }
 
 /// A shape around the origin.
@@ -88,20 +95,44 @@ impl Placed {
         dot(self.position, n) + beyond
     }
 
-    /// For the kernel; `None` where the format cannot hold it.
-    pub fn for_kernel<S: HostScalar>(&self) -> Option<(Solid<S>, Pose<S>)> {
+    /// The same as another shape; `None` where the format cannot hold it.
+    ///
+    /// A field reaches `far` to each side.
+    pub fn disguise<S: HostScalar>(&self, far: f64) -> Option<Disguise<S>> {
+        let half = match self.shape {
+            Shape::Box { half } => half,
+            Shape::Plane => return Some(Disguise::Field { heights: [S::ZERO; 81], spacing: S::from_f64(far / 4.0)? }),
+            _ => return Some(Disguise::None),
+        };
+        let mut corners = [Vec3::ZERO; 8];
+        for (index, corner) in corners.iter_mut().enumerate() {
+            let signs = [0, 1, 2].map(|axis| if index >> axis & 1 == 1 { -1.0 } else { 1.0 });
+            *corner = vector([0, 1, 2].map(|axis| signs[axis] * half[axis]))?;
+        }
+        Some(Disguise::Hull(ConvexHull::new(&corners).ok()?))
+    }
+
+    /// For the kernel, in a disguise if there is one for the shape; `None` where the format cannot hold it.
+    pub fn for_kernel<'a, S: HostScalar>(&self, disguise: Option<&'a Disguise<S>>) -> Option<(Solid<'a, S>, Pose<S>)> {
         let number = |x: f64| S::from_f64(x);
-        let vector = |v: Vector| Some(Vec3::new(number(v[0])?, number(v[1])?, number(v[2])?));
-        let solid: Solid<S> = match self.shape {
-            Shape::Sphere { radius } => Sphere::new(number(radius)?).ok()?.into(),
-            Shape::Box { half } => Cuboid::new(vector(half)?).ok()?.into(),
-            Shape::Capsule { radius, half } => Capsule::new(number(radius)?, number(half)?).ok()?.into(),
-            Shape::Plane => HalfSpace::new(UnitVec3::Z).into(),
+        let solid: Solid<'a, S> = match (self.shape, disguise) {
+            (Shape::Box { .. }, Some(Disguise::Hull(hull))) => hull.into(),
+            (Shape::Plane, Some(Disguise::Field { heights, spacing })) => {
+                HeightField::new(heights, 9, 9, *spacing).ok()?.into()
+            }
+            (Shape::Sphere { radius }, _) => Sphere::new(number(radius)?).ok()?.into(),
+            (Shape::Box { half }, _) => Cuboid::new(vector(half)?).ok()?.into(),
+            (Shape::Capsule { radius, half }, _) => Capsule::new(number(radius)?, number(half)?).ok()?.into(),
+            (Shape::Plane, _) => HalfSpace::new(UnitVec3::Z).into(),
         };
         let [w, x, y, z] = self.orientation.map(S::unit);
         let orientation = Quat::new(w, x, y, z).expect("the quaternion is of unit length");
         Some((solid, Pose::new(vector(self.position)?, orientation)))
     }
+}
+
+fn vector<S: HostScalar>(v: Vector) -> Option<Vec3<S>> {
+    Some(Vec3::new(S::from_f64(v[0])?, S::from_f64(v[1])?, S::from_f64(v[2])?))
 }
 
 /// How far apart two shapes are along a direction from the first to the second; along the best of all directions, that is

@@ -75,13 +75,11 @@ pub fn replay<S: HostScalar>(cube: &Cube, toss: &Toss) -> Option<Vec<Frame>> {
     for _ in 1..toss.frames.len() {
         for _ in 0..STEPS {
             let pose = Pose::new(bodies[1].position, bodies[1].orientation());
-            let mut manifold: Option<Manifold<S>> = None;
+            let mut manifold = Manifold::empty(UnitVec3::Z);
             table.collide(&Pose::IDENTITY, &shape, &pose, margin, &mut manifold);
             let buffers = Buffers { motions: &mut motions, manifolds: &mut manifolds, points: &mut points };
             let mut step = Step::begin(&mut bodies, buffers, &settings);
-            if let Some(manifold) = &manifold {
-                step.add([0, 1], manifold, &material, &warm);
-            }
+            step.add([0, 1], &manifold, &material, &warm);
             let (mut constraints, _) = step.finish();
             warm.clear();
             constraints.impulses(|_, impulses: &[WarmStart<S>]| warm.extend_from_slice(impulses));
