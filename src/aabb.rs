@@ -14,6 +14,12 @@ pub struct Aabb<S> {
 }
 
 impl<S: Scalar> Aabb<S> {
+    /// No space: overlaps nothing.
+    pub const NOTHING: Self = {
+        let nowhere = Vec3::new(S::LARGEST, S::LARGEST, S::LARGEST);
+        Self { min: nowhere, max: Vec3::ZERO }
+    };
+
     /// All space.
     #[inline]
     pub fn unbounded() -> Self {

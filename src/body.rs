@@ -82,6 +82,12 @@ impl<S: Scalar> Body<S> {
         }
     }
 
+    /// Takes all motion from it.
+    pub(crate) fn halt(&mut self) {
+        (self.linear_velocity, self.angular_velocity) = (Vec3::ZERO, Vec3::ZERO);
+        self.rests = Rests::NONE;
+    }
+
     /// The orientation.
     #[inline(always)]
     pub const fn orientation(&self) -> Quat<S> {

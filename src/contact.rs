@@ -78,6 +78,11 @@ impl<S: Scalar> Material<S> {
         Ok(Self { restitution, friction, law: RestitutionLaw::Newton })
     }
 
+    /// Of coefficients that are within their ranges.
+    pub(crate) const fn from_valid(restitution: S, friction: S) -> Self {
+        Self { restitution, friction, law: RestitutionLaw::Newton }
+    }
+
     /// The same material under another law of restitution.
     #[must_use]
     pub const fn with_law(self, law: RestitutionLaw) -> Self {

@@ -35,6 +35,20 @@ impl Display for RangeError {
 impl Error for RangeError {}
 
 errors! {
+    /// A handle that cannot be followed.
+    HandleError {
+        /// The body was removed.
+        Stale => "body: it was removed from the world, and the handle is of no use any more",
+    }
+
+    /// A body that a world cannot take.
+    InsertError {
+        /// There is no place left.
+        Full => "world: it is full; give it a larger number of BODIES, or remove one",
+        /// A number in the body is infinite or NaN.
+        NotFinite => "body: its position or velocity is not finite",
+    }
+
     /// A direction that cannot be a [`UnitVec3`](crate::UnitVec3).
     DirectionError {
         /// A component is infinite or NaN.

@@ -47,6 +47,8 @@
 //! - [`Sphere`], [`HalfSpace`], [`Cuboid`], [`Capsule`], [`ConvexHull`], [`HeightField`]: shapes. [`Collide`] finds where two
 //!   touch, [`Shape`] answers rays and points, [`shapes!`] makes one type of those that a world holds, and [`SweepAndPrune`]
 //!   finds the pairs worth a look. Geometry knows neither velocities nor masses.
+//! - [`solver`]: bodies and manifolds over a step of time, on the caller's own slices; [`solver::Settings`] says how.
+//! - [`World`]: bodies with shapes in memory of fixed size, from the broad phase to sleep.
 //! - [`StateHash`]: one number to compare two machines by.
 //!
 //! # Conventions
@@ -80,14 +82,15 @@ mod query;
 mod scalar;
 mod shape;
 pub mod solver;
+pub mod world;
 
 pub use aabb::Aabb;
 pub use body::Body;
 pub use broad_phase::{PairSink, Pairs, SweepAndPrune};
 pub use contact::{Contact, Material, RestitutionLaw};
 pub use error::{
-    BodyError, ContactError, DirectionError, HeightFieldError, HullError, MassError, MaterialError, OrientationError,
-    RangeError, ShapeError, SolidError,
+    BodyError, ContactError, DirectionError, HandleError, HeightFieldError, HullError, InsertError, MassError,
+    MaterialError, OrientationError, RangeError, ShapeError, SolidError,
 };
 pub use hash::StateHash;
 pub use manifold::{FeatureId, Manifold, ManifoldPoint};
@@ -101,6 +104,7 @@ pub use shape::{
     Capsule, Closest, Collide, ConvexHull, Cuboid, HalfSpace, HeightField, MAX_CORNERS, MAX_FACE_CORNERS, ManifoldSink,
     Shape, Sphere,
 };
+pub use world::{BodyHandle, World};
 
 // The README's example compiles and runs.
 #[cfg(all(doctest, feature = "f32"))]

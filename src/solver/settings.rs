@@ -18,6 +18,10 @@ pub struct Settings<S: Scalar> {
     pub(super) sub_steps: u8,
     pub(super) h: S::SubStep,
     pub(super) inv_h: S::Scaled,
+    /// A whole step, s.
+    pub(crate) dt: S::Unit,
+    /// The steps in half a second, 255 at most.
+    pub(crate) half_second: u8,
 }
 
 /// A time that cannot be stepped over.
@@ -31,7 +35,7 @@ impl<S: Scalar> Settings<S> {
     /// against immovable bodies. A stack sags by g/w^2 a contact times its load.
     ///
     /// # Errors
-    /// [`SettingsError`]: no sub-steps, or one that is not between zero and one second.
+    /// [`SettingsError`]: no sub-steps, one that is not between zero and one second, or a step of two seconds or more.
     pub fn new(gravity: Vec3<S>, seconds: [u16; 2], sub_steps: u8) -> Result<Self, SettingsError> {
         let [numerator, denominator] = [i32::from(seconds[0]), i32::from(seconds[1]) * i32::from(sub_steps)];
         let h = S::sub_step(numerator, denominator).map_err(|_| SettingsError)?;
@@ -39,6 +43,11 @@ impl<S: Scalar> Settings<S> {
             return Err(SettingsError);
         }
         let two = S::Scaled::ratio(2, 1);
+        let (dt, too_long) = S::Unit::from_scaled(S::Scaled::ratio(numerator, i32::from(seconds[1])));
+        if too_long {
+            return Err(SettingsError);
+        }
+        let half_second = u32::from(seconds[1]).div_ceil(2 * u32::from(seconds[0]));
         Ok(Self {
             gravity,
             push_out_speed: S::from_ratio(4, 1).map_err(|_| SettingsError)?,
@@ -47,6 +56,8 @@ impl<S: Scalar> Settings<S> {
             sub_steps,
             h,
             inv_h: S::Scaled::ratio(denominator, numerator),
+            dt,
+            half_second: half_second.min(255) as u8,
         })
     }
 }

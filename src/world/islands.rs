@@ -1,0 +1,113 @@
+//! Islands of bodies that touch, and their sleep.
+//!
+//! A body is still while it is slower than an eighth of its size a second, and no faster in the second quarter of a second than in
+//! the first: what tips over an edge gains speed, however slow it is. An island sleeps when all of it has been still for half a second.
+
+use super::World;
+use super::contacts::Entry;
+use super::slot::Slot;
+use super::step::magnitude;
+use crate::body::Body;
+use crate::math::max;
+use crate::scalar::Scalar;
+use crate::solver::Settings;
+
+/// Sizes a second, as a power of two.
+const STILL: u32 = 3;
+/// What of a speed is noise: units of the last place, and the part of the bound on it.
+const NOISE: i32 = 16;
+const PART: u32 = 6;
+
+impl<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: usize>
+    World<S, Sh, BODIES, MANIFOLDS, POINTS>
+{
+    /// Puts to sleep what has been still for long enough.
+    pub(super) fn rest(&mut self, settings: &Settings<S>) {
+        if self.sleepless {
+            return;
+        }
+        let enough = settings.half_second;
+        let mut any = false;
+        for (slot, body) in self.slots.iter_mut().zip(&self.bodies) {
+            if slot.is_awake() {
+                count(slot, body, enough);
+                any |= slot.still >= enough;
+            }
+        }
+        if !any {
+            return;
+        }
+        self.join();
+        // An island is as restless as its most restless body: its first one takes the least of them.
+        for index in 0..self.slots.len() {
+            let root = find(&self.slots, index as u16);
+            let Some(slot) = self.slots.get_mut(index) else { continue };
+            slot.island = root;
+            let still = if slot.is_awake() { slot.still } else { u8::MAX };
+            if let Some(first) = self.slots.get_mut(usize::from(root)) {
+                first.still_together = first.still_together.min(still);
+            }
+        }
+        for index in 0..self.slots.len() {
+            let Some(slot) = self.slots.get(index) else { continue };
+            let together = self.slots.get(usize::from(slot.island)).map_or(0, |first| first.still_together);
+            if slot.is_awake() && together >= enough {
+                self.lull(index);
+            }
+        }
+    }
+
+    /// Every awake body finds the one with the lowest number that it touches, over others too.
+    fn join(&mut self) {
+        for (index, slot) in self.slots.iter_mut().enumerate() {
+            slot.still_together = u8::MAX;
+            if !slot.is_asleep() {
+                slot.island = index as u16;
+            }
+        }
+        for Entry { key, .. } in self.contacts.iter().filter(|entry| entry.key.touching) {
+            let awake = |index: u16| self.slots.get(usize::from(index)).is_some_and(Slot::is_awake);
+            if awake(key.a) && awake(key.b) {
+                let (a, b) = (find(&self.slots, key.a), find(&self.slots, key.b));
+                if let Some(slot) = self.slots.get_mut(usize::from(a.max(b))) {
+                    slot.island = a.min(b);
+                }
+            }
+        }
+    }
+
+    fn lull(&mut self, index: usize) {
+        if let (Some(slot), Some(body)) = (self.slots.get_mut(index), self.bodies.get_mut(index)) {
+            slot.fall_asleep();
+            body.halt();
+        }
+    }
+}
+
+/// The lowest of the bodies that it hangs on: each link leads to a lower number, so that there are fewer than bodies.
+fn find<S: Scalar>(slots: &[Slot<S>], index: u16) -> u16 {
+    let mut at = index;
+    while let Some(slot) = slots.get(usize::from(at)) {
+        if slot.island >= at {
+            break;
+        }
+        at = slot.island;
+    }
+    at
+}
+
+/// Counts the steps for which a body has been still.
+fn count<S: Scalar>(slot: &mut Slot<S>, body: &Body<S>, enough: u8) {
+    let speed = magnitude(body.linear_velocity).plus(magnitude(body.angular_velocity).times(slot.size));
+    let noise = S::STEP.times_integer(NOISE);
+    let bound = slot.size.lowered_by(STILL).plus(noise);
+    let gains = slot.still >= enough / 2 && speed > slot.fastest.plus(noise).plus(bound.lowered_by(PART));
+    if speed > bound || gains {
+        (slot.still, slot.fastest) = (0, S::ZERO);
+        return;
+    }
+    if slot.still < enough / 2 {
+        slot.fastest = max(slot.fastest, speed);
+    }
+    slot.still = slot.still.saturating_add(1);
+}

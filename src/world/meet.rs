@@ -1,0 +1,149 @@
+//! From boxes that overlap to contacts in the solver.
+
+use heapless::Vec;
+
+use super::contacts::{Entry, Finder, Key, Kind};
+use super::slot::Slot;
+use crate::broad_phase::PairSink;
+use crate::contact::{Material, RestitutionLaw};
+use crate::manifold::Manifold;
+use crate::math::{Pose, UnitVec3, max, min};
+use crate::scalar::Scalar;
+use crate::shape::{Collide, ManifoldSink};
+use crate::solver::{Step, WarmStart};
+
+/// The part of a size within which surfaces count as near, as a power of two: 0.4 %.
+const NEAR: u32 = 8;
+
+/// How far around a shape of that size others count, before its motion.
+#[inline(always)]
+pub(super) fn near<S: Scalar>(size: S) -> S {
+    size.lowered_by(NEAR)
+}
+
+/// Takes pairs of boxes, and adds what their shapes come to.
+pub(super) struct Meeting<'w, 's, S: Scalar, Sh, const MANIFOLDS: usize> {
+    pub step: Step<'s, S>,
+    pub slots: &'w [Slot<S>],
+    pub shapes: &'w [Sh],
+    pub materials: &'w [Material<S>],
+    pub poses: &'w [Pose<S>],
+    pub before: &'w [Key],
+    pub warm: &'w [WarmStart<S>],
+    pub contacts: &'w mut Vec<Entry<S>, MANIFOLDS>,
+    pub finder: Finder,
+    pub points: usize,
+    pub dropped: u16,
+    pair: [u16; 2],
+    material: Material<S>,
+    manifold: Manifold<S>,
+}
+
+impl<'w, 's, S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> Meeting<'w, 's, S, Sh, MANIFOLDS> {
+    #[allow(clippy::too_many_arguments)]
+    pub fn new(
+        step: Step<'s, S>,
+        slots: &'w [Slot<S>],
+        shapes: &'w [Sh],
+        materials: &'w [Material<S>],
+        poses: &'w [Pose<S>],
+        before: &'w [Key],
+        warm: &'w [WarmStart<S>],
+        contacts: &'w mut Vec<Entry<S>, MANIFOLDS>,
+    ) -> Self {
+        Self {
+            step,
+            slots,
+            shapes,
+            materials,
+            poses,
+            before,
+            warm,
+            contacts,
+            finder: Finder::new(),
+            points: 0,
+            dropped: 0,
+            pair: [0; 2],
+            material: Material::DEAD,
+            manifold: Manifold::empty(UnitVec3::Z),
+        }
+    }
+
+    #[inline(never)]
+    fn meet(&mut self, a: u16, b: u16) -> Option<()> {
+        let (i, j) = (usize::from(a), usize::from(b));
+        let (slot_a, slot_b) = (self.slots.get(i)?, self.slots.get(j)?);
+        if !(slot_a.is_active() || slot_b.is_active()) || !slot_a.meets(slot_b) {
+            return None;
+        }
+        let (shape_a, shape_b) = (self.shapes.get(i)?, self.shapes.get(j)?);
+        let (pose_a, pose_b) = (self.poses.get(i)?, self.poses.get(j)?);
+        self.pair = [a, b];
+        if slot_a.sensor || slot_b.sensor {
+            if shape_a.overlaps(pose_a, shape_b, pose_b) {
+                self.enter(0, 0, Kind::Sensed);
+            }
+            return None;
+        }
+        if !(slot_a.is_awake() || slot_b.is_awake()) {
+            return None;
+        }
+        self.material = mixed(self.materials.get(i)?, self.materials.get(j)?);
+        let margin = near(min(slot_a.size, slot_b.size)).plus(slot_a.reach).plus(slot_b.reach);
+        shape_a.collide(pose_a, shape_b, pose_b, margin, self);
+        None
+    }
+
+    /// Puts the pair into the table.
+    fn enter(&mut self, part: u32, points: u8, kind: Kind) {
+        let [a, b] = self.pair;
+        let former = self.finder.find(self.before, a, b, part).and_then(|index| self.before.get(index));
+        let touched_before = former.is_some_and(|key| key.touching);
+        let key = Key { a, b, part, first: self.points as u16, points, touching: kind == Kind::Sensed };
+        if self.contacts.push(Entry::new(key, kind, touched_before)).is_err() {
+            self.dropped = self.dropped.saturating_add(1);
+        }
+        self.points = self.points.wrapping_add(usize::from(points));
+    }
+}
+
+impl<S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> PairSink for Meeting<'_, '_, S, Sh, MANIFOLDS> {
+    fn pair(&mut self, a: u16, b: u16) {
+        // Nothing to tell: what is left out does not meet.
+        let _ = self.meet(a, b);
+    }
+}
+
+impl<S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> ManifoldSink<S> for Meeting<'_, '_, S, Sh, MANIFOLDS> {
+    fn place(&mut self) -> &mut Manifold<S> {
+        &mut self.manifold
+    }
+
+    fn take(&mut self, part: u32) {
+        let [a, b] = self.pair;
+        let former = self.finder.find(self.before, a, b, part).and_then(|index| self.before.get(index));
+        let warm = former.and_then(|key| {
+            let first = usize::from(key.first);
+            self.warm.get(first..first.saturating_add(usize::from(key.points)))
+        });
+        if self.contacts.is_full() || !self.step.add(self.pair, &self.manifold, &self.material, warm.unwrap_or(&[])) {
+            self.dropped = self.dropped.saturating_add(1);
+            return;
+        }
+        self.enter(part, self.manifold.points().len() as u8, Kind::Solved);
+    }
+}
+
+/// What two surfaces come to: the larger restitution, the geometric mean of the coefficients of friction.
+fn mixed<S: Scalar>(a: &Material<S>, b: &Material<S>) -> Material<S> {
+    let friction =
+        if a.friction() == b.friction() { a.friction() } else { mean(a.friction(), b.friction()) };
+    let law = if a.law == RestitutionLaw::EnergySafe { a.law } else { b.law };
+    Material::from_valid(max(a.restitution(), b.restitution()), friction).with_law(law)
+}
+
+/// The root of a product.
+#[inline(never)]
+fn mean<S: Scalar>(a: S, b: S) -> S {
+    S::from_scaled(crate::scalar::Scaled::sqrt(a.to_scaled() * b.to_scaled())).0
+}

@@ -1,0 +1,252 @@
+//! A step of the world, stage after stage.
+
+use super::World;
+use super::contacts::{Entry, Key, Kind};
+use super::meet::{Meeting, near};
+use super::slot::{Slot, State};
+use super::touch;
+use crate::aabb::Aabb;
+use crate::body::Body;
+use crate::broad_phase::PairSink;
+use crate::math::{Pose, Vec3, abs};
+use crate::scalar::Scalar;
+use crate::shape::{Collide, Shape};
+use crate::solver::{Buffers, Settings, Step};
+
+/// What a step has to say.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct WorldReport {
+    /// The points of contact that were solved.
+    pub points: u16,
+    /// The pairs of surfaces that they belong to, and those of sensors and sleeping bodies.
+    pub manifolds: u16,
+    /// Pairs of surfaces that were left out for lack of room: those bodies did not see each other in this step.
+    pub dropped: u16,
+    /// The bodies that sleep.
+    pub asleep: u16,
+    /// The bodies that took no part because a number in them is not finite.
+    pub quarantined: u16,
+    /// A position or velocity met the end of the format and stayed there.
+    pub saturated: bool,
+}
+
+impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize, const POINTS: usize>
+    World<S, Sh, BODIES, MANIFOLDS, POINTS>
+{
+    /// Moves everything on by one step of `settings`.
+    ///
+    /// Never fails and never panics; the report says what could not be done. The order of pairs, and so every bit of the
+    /// result, depends on the state of the world alone.
+    pub fn step(&mut self, settings: &Settings<S>) -> WorldReport {
+        if self.gravity != settings.gravity {
+            self.gravity = settings.gravity;
+            self.wake_all();
+        }
+        let mut report = WorldReport::default();
+        self.look(&mut report);
+        self.place(settings.dt);
+        self.rouse();
+        self.note_before();
+        self.keep_sleeping();
+        self.solve(settings, &mut report);
+        self.rest(settings);
+        report.manifolds = self.contacts.len() as u16;
+        report.asleep = self.slots.iter().filter(|slot| slot.is_asleep()).count() as u16;
+        report
+    }
+
+    /// What each body does in this step.
+    fn look(&mut self, report: &mut WorldReport) {
+        for (slot, body) in self.slots.iter_mut().zip(&self.bodies) {
+            if matches!(slot.state, State::Vacant | State::Asleep) {
+                continue;
+            }
+            slot.state = if body.check().is_err() {
+                report.quarantined = report.quarantined.wrapping_add(1);
+                slot.touched = true;
+                State::Quarantined
+            } else if !body.is_immovable() {
+                State::Awake
+            } else if body.linear_velocity == Vec3::ZERO && body.angular_velocity == Vec3::ZERO {
+                State::Fixed
+            } else {
+                State::Driven
+            };
+        }
+    }
+
+    /// Poses and boxes of what may have moved.
+    fn place(&mut self, dt: S::Unit) {
+        let parts = self.slots.iter_mut().zip(&self.bodies).zip(&self.shapes).zip(&mut self.poses).zip(&mut self.boxes);
+        for ((((slot, body), shape), pose), bounds) in parts {
+            if slot.is_active() || slot.touched {
+                slot.touched = false;
+                match slot.state {
+                    State::Vacant => *bounds = Aabb::NOTHING,
+                    State::Quarantined => (*bounds, slot.touched) = (Aabb::NOTHING, true),
+                    _ => place_body(slot, body, shape, dt, pose, bounds),
+                }
+            }
+        }
+    }
+
+    /// Wakes what sleeps near something that moves.
+    fn rouse(&mut self) {
+        if !self.slots.iter().any(Slot::is_asleep) {
+            return;
+        }
+        // A pass wakes an island at least.
+        loop {
+            let mut alarm = Alarm { slots: &mut self.slots, rang: false };
+            self.sweep.sweep(&self.boxes, &mut alarm);
+            if !alarm.rang {
+                return;
+            }
+        }
+    }
+
+    fn note_before(&mut self) {
+        self.before.clear();
+        for entry in &self.contacts {
+            // As many as there is room for in the other table.
+            let _ = self.before.push(entry.key);
+        }
+        self.contacts.clear();
+    }
+
+    /// Contacts of which neither body moves stay as they are, with their impulses, at the front of the table.
+    fn keep_sleeping(&mut self) {
+        for key in &mut self.before {
+            let active = |index: u16| self.slots.get(usize::from(index)).is_some_and(Slot::is_active);
+            if !active(key.a) && !active(key.b) {
+                let _ = self.contacts.push(Entry::new(*key, Kind::Kept, key.touching));
+                key.touching = false;
+            }
+        }
+    }
+
+    fn solve(&mut self, settings: &Settings<S>, report: &mut WorldReport) {
+        let buffers =
+            Buffers { motions: &mut self.motions, manifolds: &mut self.manifolds, points: &mut self.points };
+        let mut step = Step::begin(&mut self.bodies, buffers, settings);
+        for (index, slot) in self.slots.iter().enumerate() {
+            if matches!(slot.state, State::Asleep | State::Quarantined | State::Vacant) {
+                step.hold(index);
+            }
+        }
+        let kept: usize = self.contacts.iter().map(|entry| usize::from(entry.key.points)).sum();
+        let mut meeting = Meeting::new(
+            step,
+            &self.slots,
+            &self.shapes,
+            &self.materials,
+            &self.poses,
+            &self.before,
+            &self.warm,
+            &mut self.contacts,
+        );
+        meeting.points = kept;
+        self.sweep.sweep(&self.boxes, &mut meeting);
+        report.dropped = meeting.dropped;
+        report.points = meeting.points.wrapping_sub(kept) as u16;
+        let (mut constraints, solved) = meeting.step.finish();
+        report.saturated = solved.saturated;
+
+        // Impulses of sleeping contacts move to the front: places before their own.
+        let mut free = 0;
+        for entry in self.contacts.iter_mut().take_while(|entry| entry.kind == Kind::Kept) {
+            let first = usize::from(entry.key.first);
+            entry.key.first = free as u16;
+            for offset in 0..usize::from(entry.key.points) {
+                let Some(&warm) = self.warm.get(first.wrapping_add(offset)) else { continue };
+                if let Some(place) = self.warm.get_mut(free) {
+                    *place = warm;
+                }
+                free = free.wrapping_add(1);
+            }
+        }
+        let warm = &mut self.warm;
+        constraints.impulses(|_, impulses| {
+            for impulse in impulses {
+                if let Some(place) = warm.get_mut(free) {
+                    *place = *impulse;
+                }
+                free = free.wrapping_add(1);
+            }
+        });
+        let mut solved = self.contacts.iter_mut().filter(|entry| entry.kind == Kind::Solved);
+        constraints.touches(|_, touch| {
+            if let Some(entry) = solved.next() {
+                entry.key.touching = touch.pushed;
+                entry.normal_impulse = touch.impulse;
+                entry.approach_speed = touch.approach;
+            }
+        });
+        end_others(&mut self.before, &self.contacts);
+    }
+}
+
+/// Takes the mark of touching from old keys whose pair still touches: those that keep it have ended.
+fn end_others<S: Scalar>(before: &mut [Key], contacts: &[Entry<S>]) {
+    let mut finder = super::contacts::Finder::new();
+    for entry in contacts.iter().filter(|entry| entry.key.touching && entry.touched_before) {
+        if let Some(index) = finder.find(before, entry.key.a, entry.key.b, entry.key.part) {
+            if let Some(key) = before.get_mut(index) {
+                key.touching = false;
+            }
+        }
+    }
+}
+
+/// Where a body's shape is, and what it may reach in the step.
+fn place_body<S: Scalar, Sh: Shape<S>>(
+    slot: &mut Slot<S>,
+    body: &Body<S>,
+    shape: &Sh,
+    dt: S::Unit,
+    pose: &mut Pose<S>,
+    bounds: &mut Aabb<S>,
+) {
+    *pose = Pose::new(body.position, body.orientation());
+    let tight = shape.aabb(pose);
+    slot.reach = S::ZERO;
+    if slot.is_active() {
+        let across = tight.max - tight.min;
+        let speed = magnitude(body.linear_velocity).plus(magnitude(body.angular_velocity).times(magnitude(across)));
+        let way = speed.times_unit(dt);
+        // Slower ones may sink in by as much, and are pushed out.
+        if way > slot.size {
+            slot.reach = way;
+        }
+    }
+    *bounds = tight.expanded(near(slot.size).plus(slot.reach));
+}
+
+/// |x| + |y| + |z|: no less than the length.
+#[inline(always)]
+pub(super) fn magnitude<S: Scalar>(v: Vec3<S>) -> S {
+    abs(v.x).plus(abs(v.y)).plus(abs(v.z))
+}
+
+/// Wakes the sleeping one of a pair of boxes if the other moves.
+struct Alarm<'a, S: Scalar> {
+    slots: &'a mut [Slot<S>],
+    rang: bool,
+}
+
+impl<S: Scalar> PairSink for Alarm<'_, S> {
+    fn pair(&mut self, a: u16, b: u16) {
+        let (Some(first), Some(second)) = (self.slots.get(usize::from(a)), self.slots.get(usize::from(b))) else {
+            return;
+        };
+        if !first.meets(second) || first.sensor || second.sensor {
+            return;
+        }
+        let sleeper = match (first.is_active(), second.is_active()) {
+            (true, false) => b,
+            (false, true) => a,
+            _ => return,
+        };
+        self.rang |= touch::wake_island(self.slots, sleeper);
+    }
+}
