@@ -140,6 +140,17 @@ impl<S: Scalar> Body<S> {
         self.unblocked(&self.inv_inertia_world)
     }
 
+    /// No number on which the motion depends is an infinity or NaN.
+    #[inline(always)]
+    pub(crate) fn is_finite(&self) -> bool {
+        let [w, x, y, z] = self.orientation.to_array();
+        self.position.is_finite()
+            && self.linear_velocity.is_finite()
+            && self.angular_velocity.is_finite()
+            && (w.is_finite() && x.is_finite() && y.is_finite() && z.is_finite())
+            && (self.gravity_scale.is_finite() && self.linear_damping.is_finite() && self.angular_damping.is_finite())
+    }
+
     fn unblocked(&self, m: &SymMat3<S::Unit>) -> [S::Scaled; 6] {
         [m.xx, m.xy, m.xz, m.yy, m.yz, m.zz].map(|x| x.to_scaled().raised(self.exponent))
     }

@@ -21,9 +21,11 @@ mod prepare;
 mod settings;
 mod softness;
 mod step;
+mod touch;
 
 pub use self::constraint::{ManifoldConstraint, PointConstraint, WarmStart};
 pub use self::motion::Motion;
 pub use self::settings::{Settings, SettingsError};
 pub use self::softness::Softness;
 pub use self::step::{Buffers, Constraints, Step, StepReport};
+pub use self::touch::Touch;

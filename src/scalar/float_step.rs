@@ -186,6 +186,16 @@ macro_rules! float_step {
             }
 
             #[inline(always)]
+            fn along(v: &Vec3<$float>, d: &Vec3<$float>) -> $float {
+                v.dot(*d)
+            }
+
+            #[inline(always)]
+            fn impulse(x: $float, (): (), share: $float, inv_mass: $float) -> $float {
+                if inv_mass > $zero { x * (share / inv_mass) } else { $zero }
+            }
+
+            #[inline(always)]
             fn moved(x: $float, (): (), (): ()) -> $float {
                 x
             }

@@ -108,6 +108,11 @@ pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 's
     /// of the angle, and of unit length again.
     fn turned(orientation: [S::Unit; 4], u: Vec3<S::Unit>) -> [S::Unit; 4];
 
+    /// The component of a vector along a direction.
+    fn along(v: &Vec3<S>, d: &Vec3<S::Unit>) -> S;
+    /// An impulse in N s: of a row with that share of a body with that inverse mass.
+    fn impulse(x: S, places: Self::Places, share: S::Unit, inv_mass: S::Scaled) -> S::Scaled;
+
     /// A number that was lifted by other places.
     fn moved(x: S, from: Self::Places, to: Self::Places) -> S;
     /// Half of it.

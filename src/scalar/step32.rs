@@ -482,6 +482,20 @@ where
     }
 
     #[inline(always)]
+    fn along(v: &Vec3<FixedI32<Frac>>, d: &Vec3<I2F30>) -> FixedI32<Frac> {
+        FixedI32::from_bits(near::<ARM>(dot(bits_of(v), bits(d))))
+    }
+
+    #[inline(never)]
+    fn impulse(x: FixedI32<Frac>, places: i32, share: I2F30, inv_mass: Scaled32) -> Scaled32 {
+        if inv_mass.mantissa() == 0 {
+            return Scaled32::ZERO;
+        }
+        let speed = Scaled32::new(x.to_bits() as i64, Frac::I32.wrapping_add(places).wrapping_neg());
+        speed * (Scaled32::new(share.to_bits() as i64, -30) / inv_mass)
+    }
+
+    #[inline(always)]
     fn moved(x: FixedI32<Frac>, from: i32, to: i32) -> FixedI32<Frac> {
         if from == to { x } else { FixedI32::from_bits(shifted(x.to_bits() as i64, from.wrapping_sub(to))) }
     }

@@ -51,10 +51,14 @@ pub struct PointConstraint<S: Scalar> {
     pub(super) drive: [S; 3],
     /// Along the normal and the tangents.
     pub(super) impulse: [S; 3],
+    /// The sum of the normal impulses over the sub-steps so far.
+    pub(super) total: S,
     pub(super) approach: S,
     pub(super) change: S,
     pub(super) gap_struck: S,
     pub(super) feature: FeatureId,
+    /// Without an impulse in the step before.
+    pub(super) fresh: bool,
     pub(super) struck: bool,
     /// Not yet in touch in this sub-step.
     pub(super) apart: bool,
@@ -85,10 +89,12 @@ impl<S: Scalar> PointConstraint<S> {
         gap: S::ZERO,
         drive: [S::ZERO; 3],
         impulse: [S::ZERO; 3],
+        total: S::ZERO,
         approach: S::ZERO,
         change: S::ZERO,
         gap_struck: S::ZERO,
         feature: FeatureId(0),
+        fresh: true,
         struck: false,
         apart: false,
     };

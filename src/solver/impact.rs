@@ -44,7 +44,9 @@ impl<S: Scalar> PointConstraint<S> {
         let before = self.impulse[0];
         let after = before.plus(speed.minus(self.normal_speed(pair, normal)));
         let after = if after > S::ZERO { after } else { S::ZERO };
-        pair.push(normal, &self.normal, after.minus(before));
+        let change = after.minus(before);
+        self.total = self.total.plus(change);
+        pair.push(normal, &self.normal, change);
         after
     }
 }

@@ -13,8 +13,21 @@ pub struct Motion<S: Scalar> {
     /// The sum over the sub-steps so far.
     pub(super) sum: Velocity<S>,
     pub(super) size: <S::Step as StepArithmetic<S>>::Places,
-    pub(super) moves: bool,
+    pub(super) part: Part,
     pub(super) isotropic: bool,
+}
+
+/// What part a body takes in a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Part {
+    /// Contacts and gravity move it.
+    Moves,
+    /// Only the caller moves it.
+    Immovable,
+    /// It stays where it is.
+    Held,
+    /// Its numbers are not finite: it touches nothing.
+    Lost,
 }
 
 /// A linear and an angular velocity.
@@ -45,14 +58,24 @@ impl<S: Scalar> Motion<S> {
         free: Velocity::ZERO,
         sum: Velocity::ZERO,
         size: S::Step::NO_PLACES,
-        moves: false,
+        part: Part::Immovable,
         isotropic: true,
     };
 
     pub(super) fn of(body: &Body<S>) -> Self {
-        let moves = !body.is_immovable();
-        let size = if moves { S::Step::size(body.inv_mass, body.exponent) } else { S::Step::NO_PLACES };
-        Self { size, moves, isotropic: body.is_isotropic(), ..Self::NEW }
+        if !body.is_finite() {
+            return Self { part: Part::Lost, ..Self::NEW };
+        }
+        if body.is_immovable() {
+            return Self::NEW;
+        }
+        let size = S::Step::size(body.inv_mass, body.exponent);
+        Self { size, part: Part::Moves, isotropic: body.is_isotropic(), ..Self::NEW }
+    }
+
+    #[inline(always)]
+    pub(super) fn moves(&self) -> bool {
+        self.part == Part::Moves
     }
 }
 

@@ -12,8 +12,8 @@ type Places<S> = <<S as Scalar>::Step as StepArithmetic<S>>::Places;
 pub(super) struct Frame<'a, S: Scalar> {
     pub a: Option<(&'a Body<S>, Places<S>)>,
     pub b: (&'a Body<S>, Places<S>),
-    /// The surface of the body that does not move.
-    pub immovable: &'a Body<S>,
+    /// The body whose surface only the caller moves, if there is one.
+    pub driven: Option<&'a Body<S>>,
     pub normal: UnitVec3<S>,
     pub tangents: [UnitVec3<S>; 2],
     pub friction: S,
@@ -24,6 +24,9 @@ pub(super) struct Frame<'a, S: Scalar> {
 impl<S: Scalar> Frame<'_, S> {
     /// The point prepared, with the impulses of the step before.
     pub fn point(&self, point: &ManifoldPoint<S>, r: [&Vec3<S>; 2], warm: &WarmStart<S>) -> PointConstraint<S> {
+        if !is_finite(point) {
+            return PointConstraint { feature: point.feature, ..PointConstraint::NEW };
+        }
         let [n, x, y] = [self.normal.get(), self.tangents[0].get(), self.tangents[1].get()];
         let levers = |body: &Body<S>, r, d| S::Step::levers(r, d, &body.inv_inertia_world, body.exponent);
         let (body_b, size_b) = self.b;
@@ -50,14 +53,15 @@ impl<S: Scalar> Frame<'_, S> {
             drive: self.drive(r[0], [&n, &x, &y]),
             impulse: warm.impulse.map(|impulse| S::Step::moved(impulse, warm.places, self.places)),
             feature: point.feature,
+            fresh: warm.impulse[0] == S::ZERO,
             ..PointConstraint::NEW
         }
     }
 
     /// The speed at which the surface of a body that only the caller moves goes by.
     fn drive(&self, r: &Vec3<S>, directions: [&Vec3<S::Unit>; 3]) -> [S; 3] {
-        let Body { linear_velocity: v, angular_velocity: w, .. } = self.immovable;
-        if self.a.is_some() || (*v == Vec3::ZERO && *w == Vec3::ZERO) {
+        let Some(Body { linear_velocity: v, angular_velocity: w, .. }) = self.driven else { return [S::ZERO; 3] };
+        if *v == Vec3::ZERO && *w == Vec3::ZERO {
             return [S::ZERO; 3];
         }
         let v = (*v + w.cross(*r)).to_array();
@@ -65,4 +69,10 @@ impl<S: Scalar> Frame<'_, S> {
             |d: &Vec3<S::Unit>| S::Step::lift(S::dot3_unit(v, d.to_array()).negated(), S::Step::NO_REST, self.places);
         directions.map(along)
     }
+}
+
+/// What is not finite makes no contact.
+#[inline(always)]
+fn is_finite<S: Scalar>(point: &ManifoldPoint<S>) -> bool {
+    point.separation.is_finite() && point.r_a.is_finite() && point.r_b.is_finite()
 }

@@ -2,9 +2,10 @@
 
 use super::constraint::{ManifoldConstraint, PointConstraint, WarmStart};
 use super::integrate::{integrate_position, integrate_velocity, lift, store, store_velocity};
-use super::motion::{Motion, Pair, Velocity};
+use super::motion::{Motion, Pair, Part, Velocity};
 use super::prepare::Frame;
 use super::settings::Settings;
+use super::touch::Touch;
 use crate::body::Body;
 use crate::contact::Material;
 use crate::manifold::Manifold;
@@ -36,19 +37,20 @@ pub struct Buffers<'a, S: Scalar> {
 /// A step in the making: contacts are added, then it is [finished](Self::finish).
 #[derive(Debug)]
 pub struct Step<'a, S: Scalar> {
-    bodies: &'a mut [Body<S>],
     constraints: Constraints<'a, S>,
     settings: Settings<S>,
-    fall: Vec3<S>,
+    report: StepReport,
 }
 
 /// The contacts of a step.
 #[derive(Debug)]
 pub struct Constraints<'a, S: Scalar> {
+    bodies: &'a mut [Body<S>],
     buffers: Buffers<'a, S>,
     manifolds: usize,
     points: usize,
     places: Places<S>,
+    fall: Vec3<S>,
 }
 
 /// What a step has to say.
@@ -56,6 +58,8 @@ pub struct Constraints<'a, S: Scalar> {
 pub struct StepReport {
     /// A position or velocity met the end of the format.
     pub saturated: bool,
+    /// Bodies with an infinity or NaN in their state: they stayed as they are and touched nothing.
+    pub not_finite: u16,
 }
 
 impl<'a, S: Scalar> Step<'a, S> {
@@ -66,35 +70,46 @@ impl<'a, S: Scalar> Step<'a, S> {
         let fall =
             Vec3::new(gain(g.x, S::Step::NO_PLACES), gain(g.y, S::Step::NO_PLACES), gain(g.z, S::Step::NO_PLACES));
         let sum = u32::from(settings.sub_steps).next_power_of_two().trailing_zeros();
+        let mut report = StepReport::default();
         let mut places = S::Step::fit(S::Step::MOST_PLACES, &fall, S::Step::NO_PLACES, HEAD_OF_GRAVITY);
         for (body, motion) in bodies.iter().zip(buffers.motions.iter_mut()) {
             *motion = Motion::of(body);
+            if motion.part == Part::Lost {
+                report.not_finite = report.not_finite.saturating_add(1);
+                continue;
+            }
             places = S::Step::fit(places, &body.linear_velocity, S::Step::NO_PLACES, sum + HEAD_OF_SPEEDS);
-            if motion.moves {
+            if motion.moves() {
                 places = S::Step::fit(places, &body.angular_velocity, motion.size, sum + HEAD_OF_SPINS);
             }
         }
-        for (body, motion) in bodies.iter().zip(buffers.motions.iter_mut()).filter(|(_, motion)| motion.moves) {
+        for (body, motion) in bodies.iter().zip(buffers.motions.iter_mut()).filter(|(_, motion)| motion.moves()) {
             lift(body, motion, places);
         }
         let fall = Vec3::new(gain(g.x, places), gain(g.y, places), gain(g.z, places));
-        Self {
-            bodies,
-            constraints: Constraints { buffers, manifolds: 0, points: 0, places },
-            settings: *settings,
-            fall,
+        let constraints = Constraints { bodies, buffers, manifolds: 0, points: 0, places, fall };
+        Self { constraints, settings: *settings, report }
+    }
+
+    /// Keeps a body as it is in this step: it counts as one that nothing moves, and as if it had no velocity. To be called
+    /// before contacts are added.
+    pub fn hold(&mut self, index: usize) {
+        if let Some(motion) = self.constraints.buffers.motions.get_mut(index) {
+            if motion.part != Part::Lost {
+                motion.part = Part::Held;
+            }
         }
     }
 
     /// The bodies as they were before the step.
     pub fn bodies(&self) -> &[Body<S>] {
-        self.bodies
+        self.constraints.bodies
     }
 
     /// Adds the manifold between the bodies `a` and `b`. Points with the feature of one in `warm` start with its impulses.
     ///
     /// False where nothing was added for lack of room. (Nor is anything added, or missed, where neither body moves, or for bodies
-    /// that are not there.)
+    /// that are not there or not finite.)
     pub fn add(
         &mut self,
         [a, b]: [u16; 2],
@@ -102,14 +117,18 @@ impl<'a, S: Scalar> Step<'a, S> {
         material: &Material<S>,
         warm: &[WarmStart<S>],
     ) -> bool {
-        let Constraints { buffers, manifolds, points, places } = &mut self.constraints;
+        let Constraints { bodies, buffers, manifolds, points, places, .. } = &mut self.constraints;
         let find = |i: u16| {
-            let body = self.bodies.get(usize::from(i))?;
-            buffers.motions.get(usize::from(i)).map(|motion| (body, motion.size, motion.moves))
+            let body = bodies.get(usize::from(i))?;
+            buffers.motions.get(usize::from(i)).map(|motion| (body, motion.size, motion.part))
         };
-        let (Some((body_a, size_a, a_moves)), Some((body_b, size_b, b_moves))) = (find(a), find(b)) else {
+        let (Some((body_a, size_a, part_a)), Some((body_b, size_b, part_b))) = (find(a), find(b)) else {
             return true;
         };
+        if part_a == Part::Lost || part_b == Part::Lost {
+            return true;
+        }
+        let (a_moves, b_moves) = (part_a == Part::Moves, part_b == Part::Moves);
         let count = manifold.points().len();
         if count == 0 || !(a_moves || b_moves) {
             return true;
@@ -123,7 +142,11 @@ impl<'a, S: Scalar> Step<'a, S> {
         let frame = Frame {
             a: (a_moves && b_moves).then_some((body_a, size_a)),
             b: if swapped { (body_a, size_a) } else { (body_b, size_b) },
-            immovable: if swapped { body_b } else { body_a },
+            driven: match (part_a, part_b) {
+                (Part::Immovable, _) => Some(body_a),
+                (_, Part::Immovable) => Some(body_b),
+                _ => None,
+            },
             normal,
             tangents,
             friction: material.friction(),
@@ -158,13 +181,12 @@ impl<'a, S: Scalar> Step<'a, S> {
             self.sub_step(sub_step == 0);
             sub_step += 1;
         }
-        self.constraints.apply_restitution(&self.fall);
+        self.constraints.apply_restitution();
         let places = self.constraints.places;
-        let mut report = StepReport::default();
-        for (body, motion) in moving(self.bodies, self.constraints.buffers.motions) {
-            report.saturated |= store(body, motion, &self.settings, places);
+        for (body, motion) in self.constraints.moving() {
+            self.report.saturated |= store(body, motion, &self.settings, places);
         }
-        (self.constraints, report)
+        (self.constraints, self.report)
     }
 
     /// Solves the contacts as rigid ones, at one moment: velocities change and nothing moves. Each of the `sweeps` takes the
@@ -177,37 +199,30 @@ impl<'a, S: Scalar> Step<'a, S> {
             self.constraints.sweep();
             sweep += 1;
         }
+        self.constraints.sum_up();
         let places = self.constraints.places;
-        let mut report = StepReport::default();
-        for (body, motion) in moving(self.bodies, self.constraints.buffers.motions) {
-            report.saturated |= store_velocity(body, motion, places);
+        for (body, motion) in self.constraints.moving() {
+            self.report.saturated |= store_velocity(body, motion, places);
         }
-        (self.constraints, report)
+        (self.constraints, self.report)
     }
 
     fn sub_step(&mut self, first: bool) {
-        let places = self.constraints.places;
+        let (places, fall) = (self.constraints.places, self.constraints.fall);
         self.constraints.note_approaches();
-        for (body, motion) in moving(self.bodies, self.constraints.buffers.motions) {
-            integrate_velocity(body, motion, &self.fall, self.settings.inv_h);
+        for (body, motion) in self.constraints.moving() {
+            integrate_velocity(body, motion, &fall, self.settings.inv_h);
         }
         if first {
             self.constraints.warm_start();
         }
         self.constraints.solve(&self.settings);
-        for (body, motion) in moving(self.bodies, self.constraints.buffers.motions) {
+        for (body, motion) in self.constraints.moving() {
             integrate_position(body, motion, self.settings.h, places);
         }
         self.constraints.relax();
+        self.constraints.sum_up();
     }
-}
-
-/// The bodies that move, with their motions.
-fn moving<'b, S: Scalar>(
-    bodies: &'b mut [Body<S>],
-    motions: &'b mut [Motion<S>],
-) -> impl Iterator<Item = (&'b mut Body<S>, &'b mut Motion<S>)> {
-    bodies.iter_mut().zip(motions.iter_mut()).filter(|(_, motion)| motion.moves)
 }
 
 /// The velocities of a manifold's bodies.
@@ -243,6 +258,11 @@ fn put_back<S: Scalar>(motions: &mut [Motion<S>], manifold: &ManifoldConstraint<
 }
 
 impl<S: Scalar> Constraints<'_, S> {
+    /// The bodies that move, with their motions.
+    fn moving(&mut self) -> impl Iterator<Item = (&mut Body<S>, &mut Motion<S>)> {
+        self.bodies.iter_mut().zip(self.buffers.motions.iter_mut()).filter(|(_, motion)| motion.moves())
+    }
+
     /// Each manifold with its points and the motions of all bodies, in the order in which they were added.
     #[inline(always)]
     fn each(&mut self, mut work: impl FnMut(&mut [Motion<S>], &ManifoldConstraint<S>, &mut [PointConstraint<S>])) {
@@ -320,8 +340,15 @@ impl<S: Scalar> Constraints<'_, S> {
         });
     }
 
-    fn apply_restitution(&mut self, fall: &Vec3<S>) {
-        let threshold = fall.length();
+    /// Counts the impulses of this sub-step.
+    fn sum_up(&mut self) {
+        for point in self.buffers.points.iter_mut().take(self.points) {
+            point.total = point.total.plus(point.impulse[0]);
+        }
+    }
+
+    fn apply_restitution(&mut self) {
+        let threshold = self.fall.length();
         self.each(|motions, manifold, points| {
             if !manifold.bounces {
                 return;
@@ -344,6 +371,21 @@ impl<S: Scalar> Constraints<'_, S> {
             }
             put_back(motions, manifold, &pair);
         });
+    }
+
+    /// How each manifold pushed in this step: calls `note` with its index, in the order added.
+    pub fn touches(&mut self, mut note: impl FnMut(usize, &Touch<S>)) {
+        let (bodies, manifolds) = (&*self.bodies, &*self.buffers.manifolds);
+        let mut points = self.buffers.points.iter();
+        for (index, manifold) in manifolds.iter().take(self.manifolds).enumerate() {
+            let Some(body) = bodies.get(usize::from(manifold.b)) else { return };
+            let fall = manifold.fall(&self.fall, body, manifold.a.and_then(|a| bodies.get(usize::from(a))));
+            let mut touch = Touch::NONE;
+            for point in points.by_ref().take(usize::from(manifold.points)) {
+                touch.add(point, body.inv_mass, fall, self.places);
+            }
+            note(index, &touch);
+        }
     }
 
     /// What to start the next step from: calls `keep` for each manifold with its index, in the order added, and its points.

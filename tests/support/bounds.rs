@@ -39,3 +39,5 @@ pub const ROCKING: f64 = 0.05;
 pub const NETWORK: f64 = 1.05;
 /// By how much of a box a box of a pile moves aside meanwhile.
 pub const ASIDE: f64 = 0.25;
+/// Impulses and approach speeds that a step tells.
+pub const IMPULSE: f64 = 0.01;

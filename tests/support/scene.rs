@@ -18,6 +18,14 @@ pub enum Shape {
     HalfSpace([f64; 3]),
 }
 
+/// What a contact did in a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Touched {
+    pub pushed: bool,
+    pub impulse: f64,
+    pub approach: f64,
+}
+
 /// A scene.
 pub struct Scene<S: Scalar> {
     pub bodies: Vec<Body<S>>,
@@ -30,6 +38,12 @@ pub struct Scene<S: Scalar> {
     pub margin: f64,
     pub contacts: usize,
     pub saturated: bool,
+    /// What the contacts of the last step did.
+    pub touches: Vec<Touched>,
+    /// Bodies that are held.
+    pub held: Vec<usize>,
+    /// Bodies that were not finite, over all steps.
+    pub not_finite: usize,
     kept: Vec<([u16; 2], Vec<WarmStart<S>>)>,
     motions: Vec<Motion<S>>,
     manifolds: Vec<ManifoldConstraint<S>>,
@@ -81,6 +95,9 @@ impl<S: HostScalar> Scene<S> {
             margin: 0.005,
             contacts: 0,
             saturated: false,
+            touches: vec![],
+            held: vec![],
+            not_finite: 0,
             kept: vec![],
             motions: vec![],
             manifolds: vec![],
@@ -129,6 +146,7 @@ impl<S: HostScalar> Scene<S> {
         let buffers = Buffers { motions: &mut self.motions, manifolds: &mut self.manifolds, points: &mut self.points };
         let found = manifolds(&self.bodies, &self.shapes, self.margin, self.dt);
         let mut step = Step::begin(&mut self.bodies, buffers, &self.settings);
+        self.held.iter().for_each(|i| step.hold(*i));
         self.contacts = found.iter().map(|(_, manifold)| manifold.points().len()).sum();
         for (pair, manifold) in &found {
             let warm = self.kept.iter().find(|(kept, _)| kept == pair).map_or(&[][..], |(_, warm)| warm);
@@ -136,6 +154,13 @@ impl<S: HostScalar> Scene<S> {
         }
         let (mut constraints, report) = step.finish();
         self.saturated |= report.saturated;
+        self.not_finite += usize::from(report.not_finite);
+        self.touches.clear();
+        let touches = &mut self.touches;
+        constraints.touches(|_, touch| {
+            let (impulse, approach) = (S::scaled_to_f64(touch.impulse), touch.approach.to_f64());
+            touches.push(Touched { pushed: touch.pushed, impulse, approach });
+        });
         self.kept.clear();
         let kept = &mut self.kept;
         constraints.impulses(|index, warm| kept.push((found[index].0, warm.to_vec())));
@@ -164,7 +189,7 @@ fn manifolds<S: HostScalar>(
             let size = shape_a.size().min(shape_b.size());
             let speed = length(b.linear_velocity - a.linear_velocity);
             let way = dt * (speed + (length(a.angular_velocity) + length(b.angular_velocity)) * size);
-            let margin = number(margin * size + if way > size { way } else { 0.0 });
+            let margin = number(margin * size + if way > size && way.is_finite() { way } else { 0.0 });
             let mut manifold = Manifold::empty(UnitVec3::Z);
             shape_a.build::<S>().collide(&pose(a), &shape_b.build(), &pose(b), margin, &mut manifold);
             if !manifold.is_empty() {
