@@ -82,6 +82,20 @@ impl<S: Scalar> Body<S> {
         }
     }
 
+    /// The body at that place, m.
+    #[must_use]
+    pub const fn at(mut self, position: Vec3<S>) -> Self {
+        self.position = position;
+        self
+    }
+
+    /// The body with that velocity, m/s.
+    #[must_use]
+    pub const fn moving(mut self, linear_velocity: Vec3<S>) -> Self {
+        self.linear_velocity = linear_velocity;
+        self
+    }
+
     /// Takes all motion from it.
     pub(crate) fn halt(&mut self) {
         (self.linear_velocity, self.angular_velocity) = (Vec3::ZERO, Vec3::ZERO);

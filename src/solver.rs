@@ -12,6 +12,7 @@
 //! instructions, with constants of the core and the number type: no loop depends on anything else.
 
 mod constraint;
+mod drive;
 mod friction;
 mod gyroscope;
 mod impact;
@@ -24,6 +25,7 @@ mod step;
 mod touch;
 
 pub use self::constraint::{ManifoldConstraint, PointConstraint, WarmStart};
+pub use self::drive::drive;
 pub use self::motion::Motion;
 pub use self::settings::{Settings, SettingsError};
 pub use self::softness::Softness;

@@ -30,7 +30,7 @@ use crate::error::{HandleError, InsertError};
 use crate::hash::StateHash;
 use crate::math::{Pose, Vec3};
 use crate::scalar::Scalar;
-use crate::shape::{Collide, Shape};
+use crate::shape::Shape;
 use crate::solver::{ManifoldConstraint, Motion, PointConstraint, WarmStart};
 
 /// Bodies with shapes, and what is between them: up to `BODIES` bodies (65,535 at most), and in a step up to `MANIFOLDS` pairs of surfaces

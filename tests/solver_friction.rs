@@ -1,4 +1,5 @@
 //! Sliding, rolling and sticking, by the solver.
+#![cfg(any(feature = "f32", feature = "f64", feature = "fixed"))]
 
 #[path = "support/bounds.rs"]
 mod bounds;

@@ -1,4 +1,5 @@
 //! Piles, by the solver.
+#![cfg(any(feature = "f32", feature = "f64", feature = "fixed"))]
 
 #[path = "support/bounds.rs"]
 mod bounds;

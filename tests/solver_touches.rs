@@ -1,4 +1,5 @@
 //! What a step tells of its contacts, and bodies that take no part in it.
+#![cfg(any(feature = "f32", feature = "f64", feature = "fixed"))]
 
 #[path = "support/bounds.rs"]
 mod bounds;

@@ -1,7 +1,7 @@
 //! Islands of bodies that touch, and their sleep.
 //!
-//! A body is still while it is slower than an eighth of its size a second, and no faster in the second quarter of a second than in
-//! the first: what tips over an edge gains speed, however slow it is. An island sleeps when all of it has been still for half a second.
+//! A body is still while it is slower than an eighth of its size a second and does not gain speed: what tips over an edge gains,
+//! however slow it is. An island sleeps when all of it has been still for half a second.
 
 use super::World;
 use super::contacts::Entry;
@@ -16,7 +16,7 @@ use crate::solver::Settings;
 const STILL: u32 = 3;
 /// What of a speed is noise: units of the last place, and the part of the bound on it.
 const NOISE: i32 = 16;
-const PART: u32 = 6;
+const PART: u32 = 10;
 
 impl<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: usize>
     World<S, Sh, BODIES, MANIFOLDS, POINTS>
@@ -96,17 +96,21 @@ fn find<S: Scalar>(slots: &[Slot<S>], index: u16) -> u16 {
     at
 }
 
-/// Counts the steps for which a body has been still.
+/// Counts the steps for which a body has been still. The first third of the time is for settling, in the second the speed is
+/// watched, and in the last it must not be higher.
 fn count<S: Scalar>(slot: &mut Slot<S>, body: &Body<S>, enough: u8) {
     let speed = magnitude(body.linear_velocity).plus(magnitude(body.angular_velocity).times(slot.size));
     let noise = S::STEP.times_integer(NOISE);
     let bound = slot.size.lowered_by(STILL).plus(noise);
-    let gains = slot.still >= enough / 2 && speed > slot.fastest.plus(noise).plus(bound.lowered_by(PART));
-    if speed > bound || gains {
+    let (watched, judged) = (enough / 3, enough - enough / 3);
+    if speed > bound {
         (slot.still, slot.fastest) = (0, S::ZERO);
         return;
     }
-    if slot.still < enough / 2 {
+    if slot.still >= judged && speed > slot.fastest.plus(noise).plus(bound.lowered_by(PART)) {
+        (slot.still, slot.fastest) = (watched, S::ZERO);
+    }
+    if slot.still >= watched && slot.still < judged {
         slot.fastest = max(slot.fastest, speed);
     }
     slot.still = slot.still.saturating_add(1);

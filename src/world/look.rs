@@ -76,7 +76,9 @@ impl<S: Scalar, Sh: Shape<S>, const BODIES: usize, const MANIFOLDS: usize, const
         let bodies = self.slots.iter().zip(&self.bodies).zip(&self.shapes).enumerate();
         bodies
             .filter(move |(_, ((slot, _), _))| {
-                !matches!(slot.state, State::Vacant | State::Quarantined) && !slot.sensor && filter.lets_meet(slot.filter)
+                !matches!(slot.state, State::Vacant | State::Quarantined)
+                    && !slot.sensor
+                    && filter.lets_meet(slot.filter)
             })
             .map(|(index, ((slot, body), shape))| (slot.handle(index as u16), shape, pose_of(body)))
     }

@@ -136,8 +136,7 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> ManifoldSink<S> for 
 
 /// What two surfaces come to: the larger restitution, the geometric mean of the coefficients of friction.
 fn mixed<S: Scalar>(a: &Material<S>, b: &Material<S>) -> Material<S> {
-    let friction =
-        if a.friction() == b.friction() { a.friction() } else { mean(a.friction(), b.friction()) };
+    let friction = if a.friction() == b.friction() { a.friction() } else { mean(a.friction(), b.friction()) };
     let law = if a.law == RestitutionLaw::EnergySafe { a.law } else { b.law };
     Material::from_valid(max(a.restitution(), b.restitution()), friction).with_law(law)
 }

@@ -11,7 +11,7 @@ use crate::broad_phase::PairSink;
 use crate::math::{Pose, Vec3, abs};
 use crate::scalar::Scalar;
 use crate::shape::{Collide, Shape};
-use crate::solver::{Buffers, Settings, Step};
+use crate::solver::{Buffers, Settings, Step, drive};
 
 /// What a step has to say.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -49,6 +49,7 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
         self.note_before();
         self.keep_sleeping();
         self.solve(settings, &mut report);
+        self.drive(settings, &mut report);
         self.rest(settings);
         report.manifolds = self.contacts.len() as u16;
         report.asleep = self.slots.iter().filter(|slot| slot.is_asleep()).count() as u16;
@@ -125,9 +126,16 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
         }
     }
 
+    fn drive(&mut self, settings: &Settings<S>, report: &mut WorldReport) {
+        for (slot, body) in self.slots.iter().zip(&mut self.bodies) {
+            if slot.state == State::Driven {
+                report.saturated |= drive(body, settings);
+            }
+        }
+    }
+
     fn solve(&mut self, settings: &Settings<S>, report: &mut WorldReport) {
-        let buffers =
-            Buffers { motions: &mut self.motions, manifolds: &mut self.manifolds, points: &mut self.points };
+        let buffers = Buffers { motions: &mut self.motions, manifolds: &mut self.manifolds, points: &mut self.points };
         let mut step = Step::begin(&mut self.bodies, buffers, settings);
         for (index, slot) in self.slots.iter().enumerate() {
             if matches!(slot.state, State::Asleep | State::Quarantined | State::Vacant) {

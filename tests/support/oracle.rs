@@ -148,7 +148,7 @@ impl Problem {
 
     /// How much the q-th velocity of [`after`](Self::after) changes by a unit impulse at most: 1/m, or |I^-1||r|.
     pub fn yields(&self, scales: &Scales, q: usize) -> f64 {
-        if q % 2 == 0 { self.sides[q / 2].inv_mass.to_f64() } else { scales.turn[q / 2] }
+        if q.is_multiple_of(2) { self.sides[q / 2].inv_mass.to_f64() } else { scales.turn[q / 2] }
     }
 
     pub fn scales(&self) -> Scales {

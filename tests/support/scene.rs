@@ -214,7 +214,7 @@ impl Shape {
         }
     }
 
-    fn build<S: HostScalar>(&self) -> Piece<S> {
+    pub fn build<S: HostScalar>(&self) -> Piece<S> {
         match *self {
             Self::Sphere(r) => Sphere::new(number(r)).expect("a radius").into(),
             Self::Cuboid(h) => Cuboid::new(vector(h)).expect("half extents").into(),

@@ -24,7 +24,7 @@ impl Progress {
     /// Another row of that file was done.
     fn advance(&mut self, table: &Table) {
         self.rows += 1;
-        if self.rows % 64 != 0 || self.start.elapsed() < PATIENCE {
+        if !self.rows.is_multiple_of(64) || self.start.elapsed() < PATIENCE {
             return;
         }
         let (read, length) = table.position();
