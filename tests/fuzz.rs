@@ -209,7 +209,7 @@ fn arbitrary_bits<S: Format>() {
     forall(count as u32, proptest::collection::vec(any::<u64>(), WORDS), |words| {
         let mut done = done.borrow_mut();
         *done += 1;
-        if *done % 1_000_000 == 0 {
+        if (*done).is_multiple_of(1_000_000) {
             eprintln!("{}: {} of {} million", S::name(), *done / 1_000_000, count / 1_000_000);
         }
         one_case::<S>(&words, &mut counts.borrow_mut())

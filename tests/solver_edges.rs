@@ -1,5 +1,5 @@
 //! Bodies that hardly move: on an edge, at a slow roll, rocking.
-#![cfg(any(feature = "f32", feature = "f64", feature = "fixed"))]
+#![cfg(feature = "f64")]
 
 #[path = "support/bounds.rs"]
 mod bounds;

@@ -1,6 +1,6 @@
 //! Bodies that nothing moves but their own velocity.
 
-use super::integrate::{half_angles, turned};
+use super::integrate::turn;
 use super::settings::Settings;
 use crate::body::Body;
 use crate::math::Vec3;
@@ -21,8 +21,7 @@ pub fn drive<S: Scalar>(body: &mut Body<S>, settings: &Settings<S>) -> bool {
         }
         body.position = Vec3::from_array(place);
         if body.angular_velocity != Vec3::ZERO {
-            let u = half_angles(body.angular_velocity, settings.h, S::Step::NO_PLACES);
-            body.set_orientation(turned(body.orientation(), u));
+            body.set_orientation(turn(body.orientation(), body.angular_velocity, settings.h, S::Step::NO_PLACES));
         }
     }
     saturated

@@ -4,7 +4,7 @@ use super::gyroscope::spin;
 use super::motion::{Motion, Velocity};
 use super::settings::Settings;
 use crate::body::Body;
-use crate::math::{Quat, Vec3};
+use crate::math::{Quat, Vec3, clamp};
 use crate::scalar::{Scalar, Scaled, StepArithmetic};
 
 type Places<S> = <<S as Scalar>::Step as StepArithmetic<S>>::Places;
@@ -84,9 +84,10 @@ pub(super) fn store<S: Scalar>(
     saturated | store_velocity(body, motion, places)
 }
 
-/// The orientation after a sum of spins: in one rotation or, where that is a large one, in up to eight.
+/// The orientation after a sum of spins: in one rotation or, where that is a large one, in up to eight of about a radian each; there
+/// what is beyond is left out.
 #[inline(always)]
-fn turn<S: Scalar>(orientation: Quat<S>, sum: Vec3<S>, h: S::SubStep, places: Places<S>) -> Quat<S> {
+pub(super) fn turn<S: Scalar>(orientation: Quat<S>, sum: Vec3<S>, h: S::SubStep, places: Places<S>) -> Quat<S> {
     let half = S::Unit::from_scaled(S::Scaled::from_parts(1, -1)).0;
     let (mut sum, mut rotations) = (sum, 1);
     let mut u = half_angles(sum, h, places);
@@ -95,6 +96,7 @@ fn turn<S: Scalar>(orientation: Quat<S>, sum: Vec3<S>, h: S::SubStep, places: Pl
         u = half_angles(sum, h, places);
         rotations *= 2;
     }
+    let u = Vec3::new(clamp(u.x, half), clamp(u.y, half), clamp(u.z, half));
     let mut after = orientation;
     while rotations > 0 {
         after = turned(after, u);

@@ -358,7 +358,10 @@ impl<S: Scalar> Constraints<'_, S> {
             let mut bounced = [None; 4];
             for (point, bounced) in points.iter_mut().zip(&mut bounced) {
                 if point.struck && point.approach.plus(threshold) < S::ZERO {
-                    let speed = point.rebound_speed(point.gap(&sum, &manifold.normal), manifold.restitution);
+                    let speed = {
+                        point.change = crate::math::clamp(point.change, threshold.plus(threshold));
+                        point.rebound_speed(point.gap(&sum, &manifold.normal), manifold.restitution)
+                    };
                     *bounced = Some(point.rebound(&mut pair, &manifold.normal, speed));
                 }
             }
