@@ -80,6 +80,7 @@ mod query;
 mod scalar;
 mod shape;
 pub mod solver;
+pub mod units;
 
 pub use aabb::Aabb;
 pub use body::Body;
