@@ -41,7 +41,7 @@
 //!   boxes of half that size fall);
 //! - what gravity adds in a sub-step, 512 units too, of those that the solver has to spare: the more, the slower the fastest
 //!   body is;
-//! - and what that moves a body by in a step, a 128th of a unit, so that friction knows its weight;
+//! - and what that moves a body by in a sub-step, a 512th of a unit, so that friction feels its weight;
 //! - the sub-step, below one unit of time, and so precise that the clock is no step off at the end of the duration.
 //!
 //! In floating point it is the distance, of 16,384 times the smallest size at most in `f32`, and gravity beside the highest speed.

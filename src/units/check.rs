@@ -9,9 +9,9 @@ use super::system::Units;
 /// Units of the last place that a given number needs, so that rounding it changes it by less than a thousandth. A pile of boxes
 /// of half that size does not stand.
 pub(super) const PRECISE: u32 = 512;
-/// The part of a unit of the last place, as a power of two, that the weight of a body in a sub-step moves it by in a step: with
-/// less the weight is lost beside what rounding its position does, and friction holds too little, or too much.
-const DROP: Magnitude = Magnitude::power_of_two(-7);
+/// The part of a unit of the last place of positions that gravity moves a body by in a sub-step, at least: with less, its weight is
+/// lost beside what the rounding of its position does, and friction stops it too late.
+const DROP: Magnitude = Magnitude::power_of_two(-9);
 /// Fraction bits of a sub-step in fixed point.
 const SUB_STEP_BITS: i32 = 31;
 /// Bits beyond the format that are carried of a velocity from step to step.
@@ -45,7 +45,7 @@ pub enum Property {
     Gravity,
     /// The speed that gravity adds in a sub-step, in places that the fastest body leaves.
     Fall,
-    /// What that speed moves a body by in a step, against the unit of the last place of positions.
+    /// What that speed moves a body by in a sub-step, against the unit of the last place of positions.
     Drop,
     /// The length of a sub-step.
     SubStep,
@@ -178,7 +178,7 @@ impl Measures {
             return tightest;
         }
         let fall = gravity.times(h);
-        let drop = fall.times(units.measured(self.step, Dimension::TIME));
+        let drop = fall.times(h);
         let resolved = precise.times(self.spacing_of_speeds(format, speed, fall));
         tightest
             .tighter(Demand::at_least(Property::Gravity, gravity, format.finest(PRECISE)))

@@ -91,7 +91,7 @@ impl Property {
             Self::Impulse => "impulse (twice the highest speed by the largest mass)",
             Self::Gravity => "gravity",
             Self::Fall => "gravity times sub-step",
-            Self::Drop => "gravity times sub-step times step",
+            Self::Drop => "gravity times the square of the sub-step",
             Self::SubStep => "sub-step",
             Self::Clock => "drift of the clock over the duration",
             Self::PushOutSpeed => "push-out speed",

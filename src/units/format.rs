@@ -60,7 +60,8 @@ impl Format {
     /// The largest number; in floating point the largest whose third power, a volume or a moment of inertia, is one.
     pub(super) const fn largest(self) -> Magnitude {
         match self {
-            Self::Fixed { fraction_bits } => Magnitude::new(i32::MAX as u32, (fraction_bits as i32).wrapping_neg()),
+            // Of 30 bits, as conversions have.
+            Self::Fixed { fraction_bits } => Magnitude::new(i32::MAX as u32 - 1, (fraction_bits as i32).wrapping_neg()),
             Self::Float { exponents, .. } => Magnitude::power_of_two((exponents as i32 / 3).wrapping_sub(1)),
         }
     }
