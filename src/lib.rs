@@ -47,6 +47,7 @@
 //! - [`Sphere`], [`HalfSpace`], [`Cuboid`], [`Capsule`], [`ConvexHull`], [`HeightField`]: shapes. [`Collide`] finds where two
 //!   touch, [`Shape`] answers rays and points, [`shapes!`] makes one type of those that a world holds, and [`SweepAndPrune`]
 //!   finds the pairs worth a look. Geometry knows neither velocities nor masses.
+//! - [`units`]: whether a scene fits a number format, and units in which it does.
 //! - [`StateHash`]: one number to compare two machines by.
 //!
 //! # Conventions

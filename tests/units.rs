@@ -53,7 +53,7 @@ fn random_scene(random: &mut Random) -> Scene {
 fn proposals_fit<S: HostScalar + NumberFormat>(name: &str) {
     let mut random = Random::new(1);
     let (mut plain, mut proposed, mut refused) = (0, 0, 0);
-    for _ in 0..3_000 {
+    for _ in 0..10_000 {
         let scene = random_scene(&mut random);
         match scene.propose::<S>() {
             Ok(units) => {
@@ -68,7 +68,7 @@ fn proposals_fit<S: HostScalar + NumberFormat>(name: &str) {
             Err(error) => {
                 let of_check = scene.check::<S>().expect_err("no units, not SI's either");
                 assert!(of_check.remedy.is_none() && scene.check_in::<S>(&error.units).is_err());
-                for _ in 0..3 {
+                for _ in 0..60 {
                     let (low, high) = [(1e-3, 1.0), (1.0, 1e3)][random.pick(2) as usize];
 
                     let units = Units {

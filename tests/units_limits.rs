@@ -82,7 +82,8 @@ fn ranges<S: HostScalar + NumberFormat>() {
     assert!(Units::SI.length::<S>(last).is_ok() && Units::SI.length::<S>(beyond).is_err());
     const LIGHT: Quantity = Quantity::ratio(1, 128);
     let weightless = Scene { gravity: Quantity::whole(0), smallest_size: Quantity::ONE, ..BASE };
-    let scenes: [(Property, fn(Scene, Quantity) -> Scene); 4] = [
+    type With = fn(Scene, Quantity) -> Scene;
+    let scenes: [(Property, With); 4] = [
         (Property::Distance, |scene, x| Scene { largest_distance: x, ..scene }),
         (Property::Speed, |scene, x| Scene {
             fastest: x,

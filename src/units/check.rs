@@ -157,33 +157,49 @@ impl Measures {
             .tighter(Demand::at_least(Property::SubStep, h, least))
             .tighter(Demand::at_most(Property::Clock, drift, units.measured(self.step, Dimension::TIME)))
             .tighter(Demand::at_most(Property::PushOutSpeed, PUSH_OUT_SPEED, format.largest()))
+            .tighter(Demand::at_most(Property::Spin, units.measured(self.spin, Dimension::SPIN), format.largest()))
     }
 
     /// The tightest demand on the units of length and time.
     pub const fn motion(&self, format: Format, units: &Units) -> Demand {
+        self.largest(format, units).tighter(self.smallest(format, units))
+    }
+
+    /// The tightest of those for which a unit of length can be too small.
+    const fn largest(&self, format: Format, units: &Units) -> Demand {
+        let distance = units.measured(self.distance, Dimension::LENGTH);
+        let speed = units.measured(self.speed, Dimension::SPEED);
+        let gravity = units.measured(self.gravity, Dimension::ACCELERATION);
+        let largest = format.largest();
+        Demand::at_most(Property::Distance, distance, largest)
+            .tighter(Demand::at_most(Property::Speed, speed, largest))
+            .tighter(Demand::at_most(Property::Gravity, gravity, largest))
+    }
+
+    /// The tightest of those for which it can be too large.
+    const fn smallest(&self, format: Format, units: &Units) -> Demand {
         let distance = units.measured(self.distance, Dimension::LENGTH);
         let size = units.measured(self.size, Dimension::LENGTH);
-        let speed = units.measured(self.speed, Dimension::SPEED);
-        let spin = units.measured(self.spin, Dimension::SPIN);
-        let gravity = units.measured(self.gravity, Dimension::ACCELERATION);
-        let h = units.measured(self.sub_step, Dimension::TIME);
-        let (largest, precise) = (format.largest(), Magnitude::new(PRECISE, 0));
-        let tightest = Demand::at_most(Property::Distance, distance, largest)
-            .tighter(Demand::at_least(Property::Size, size, precise.times(format.spacing(distance))))
-            .tighter(Demand::at_least(Property::Size, size, format.finest(PRECISE)))
-            .tighter(Demand::at_most(Property::Speed, speed, largest))
-            .tighter(Demand::at_most(Property::Spin, spin, largest))
-            .tighter(Demand::at_most(Property::Gravity, gravity, largest));
-        if gravity.is_zero() {
+        let precise = Magnitude::new(PRECISE, 0);
+        let tightest = Demand::at_least(Property::Size, size, precise.times(format.spacing(distance)))
+            .tighter(Demand::at_least(Property::Size, size, format.finest(PRECISE)));
+        if self.gravity.is_zero() {
             return tightest;
         }
+        let speed = units.measured(self.speed, Dimension::SPEED);
+        let gravity = units.measured(self.gravity, Dimension::ACCELERATION);
+        let h = units.measured(self.sub_step, Dimension::TIME);
         let fall = gravity.times(h);
-        let drop = fall.times(h);
         let resolved = precise.times(self.spacing_of_speeds(format, speed, fall));
         tightest
             .tighter(Demand::at_least(Property::Gravity, gravity, format.finest(PRECISE)))
             .tighter(Demand::at_least(Property::Fall, fall, resolved))
-            .tighter(Demand::at_least(Property::Drop, drop, DROP.times(format.spacing(distance))))
+            .tighter(Demand::at_least(Property::Drop, fall.times(h), DROP.times(format.spacing(distance))))
+    }
+
+    /// The power of two of a unit of length, in that of `units`, in the middle between those demands.
+    pub const fn middle_of_lengths(&self, format: Format, units: &Units) -> i32 {
+        self.smallest(format, units).room.wrapping_sub(self.largest(format, units).room) >> 1
     }
 
     /// The tightest demand on the unit of mass, given the others.
@@ -197,7 +213,7 @@ impl Measures {
             .tighter(Demand::at_most(Property::Impulse, heaviest.times(change), largest))
     }
 
-    /// The power of two of a unit of mass in the middle between the demands on it.
+    /// The power of two of a unit of mass, in kilograms, in the middle between the demands on it.
     pub const fn middle_of_masses(&self, format: Format, units: &Units) -> i32 {
         let change = units.measured(self.speed, Dimension::SPEED).times(Magnitude::new(2, 0));
         let least = self.heaviest.times(change.max(Magnitude::ONE)).over(format.largest()).binary_order();

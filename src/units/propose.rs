@@ -6,9 +6,6 @@ use super::quantity::Quantity;
 use super::scene::tightest;
 use super::system::Units;
 
-/// Powers of ten of a metre that are tried, in either direction; and powers of two.
-const TENS: i32 = 9;
-const TWOS: i32 = 20;
 /// Powers of two of a second that are tried.
 const SHORTEST: i32 = -12;
 const LONGEST: i32 = 24;
@@ -52,18 +49,18 @@ const fn better(a: Candidate, b: Candidate) -> Candidate {
     if b.0.room > a.0.room { b } else { a }
 }
 
-/// The length and the mass that leave the most room beside a unit of time.
+/// The length and the mass that leave about the most room beside a unit of time.
 const fn with_time(measures: &Measures, format: Format, time: Quantity, tens: bool) -> Candidate {
-    let mut units = Units { time, ..Units::SI };
+    let units = Units { time, ..Units::SI };
     let of_time = measures.time(format, &units);
     if of_time.room < 0 {
         return (of_time, units);
     }
     let mut best = with_length(measures, format, of_time, units, tens);
-    let last = last(tens);
-    let mut power = last.wrapping_neg();
-    while power <= last {
-        units.length = unit(power, tens);
+    let first = first(measures.middle_of_lengths(format, &units), tens);
+    let mut power = first;
+    while power <= first.wrapping_add(2) {
+        let units = Units { length: unit(power, tens), ..units };
         best = better(best, with_length(measures, format, of_time, units, tens));
         power = power.wrapping_add(1);
     }
@@ -77,11 +74,9 @@ const fn with_length(measures: &Measures, format: Format, of_time: Demand, units
     if others.room < 0 || best.0.room >= 0 {
         return (others.tighter(best.0), units);
     }
-    // A unit 2^n times the kilogram, or 10^m with m just below or above n lg 2.
-    let order = measures.middle_of_masses(format, &units);
-    let low = if tens { order.wrapping_mul(77) >> 8 } else { order };
-    let (mut power, last) = (low, low.wrapping_add(1));
-    while power <= last {
+    let first = first(measures.middle_of_masses(format, &units), tens);
+    let mut power = first;
+    while power <= first.wrapping_add(2) {
         let units = Units { mass: unit(power, tens), ..units };
         best = better(best, (measures.mass(format, &units), units));
         power = power.wrapping_add(1);
@@ -89,12 +84,22 @@ const fn with_length(measures: &Measures, format: Format, of_time: Demand, units
     (others.tighter(best.0), best.1)
 }
 
-const fn last(tens: bool) -> i32 {
-    if tens { TENS } else { TWOS }
+/// The first of three powers, of ten or of two, around 2^middle.
+const fn first(middle: i32, tens: bool) -> i32 {
+    // lg 2 = 77/256.
+    let power = if tens { middle.wrapping_mul(77) >> 8 } else { middle };
+    power.wrapping_sub(if tens { 0 } else { 1 })
 }
 
 const fn unit(power: i32, tens: bool) -> Quantity {
-    if tens { Quantity::new(1, power as i8) } else { power_of_two(power) }
+    let tens_power = if power > 30 {
+        30
+    } else if power < -30 {
+        -30
+    } else {
+        power
+    };
+    if tens { Quantity::new(1, tens_power as i8) } else { power_of_two(power) }
 }
 
 const fn power_of_two(power: i32) -> Quantity {
