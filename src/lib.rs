@@ -49,6 +49,7 @@
 //!   finds the pairs worth a look. Geometry knows neither velocities nor masses.
 //! - [`solver`]: bodies and manifolds over a step of time, on the caller's own slices; [`solver::Settings`] says how.
 //! - [`World`]: bodies with shapes in memory of fixed size, from the broad phase to sleep.
+//! - [`units`]: whether a scene fits a number format, and units in which it does.
 //! - [`StateHash`]: one number to compare two machines by.
 //!
 //! # Conventions
@@ -83,6 +84,7 @@ mod scalar;
 mod shape;
 pub mod solver;
 pub mod world;
+pub mod units;
 
 pub use aabb::Aabb;
 pub use body::Body;
