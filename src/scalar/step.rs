@@ -108,6 +108,8 @@ pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 's
     /// of the angle, and of unit length again.
     fn turned(orientation: [S::Unit; 4], u: Vec3<S::Unit>) -> [S::Unit; 4];
 
+    /// The direction of an arm, to about a degree: to recognise it.
+    fn bearing(r: &Vec3<S>) -> [i8; 3];
     /// The component of a vector along a direction.
     fn along(v: &Vec3<S>, d: &Vec3<S::Unit>) -> S;
     /// An impulse in N s: of a row with that share of a body with that inverse mass.

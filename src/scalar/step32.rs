@@ -482,6 +482,14 @@ where
     }
 
     #[inline(always)]
+    fn bearing(r: &Vec3<FixedI32<Frac>>) -> [i8; 3] {
+        let r = bits_of(r);
+        let places = leading_zeros(magnitude(r)).wrapping_sub(1);
+        let part = |x: i32| (x.wrapping_shl(places) >> 25) as i8;
+        [part(r[0]), part(r[1]), part(r[2])]
+    }
+
+    #[inline(always)]
     fn along(v: &Vec3<FixedI32<Frac>>, d: &Vec3<I2F30>) -> FixedI32<Frac> {
         FixedI32::from_bits(near::<ARM>(dot(bits_of(v), bits(d))))
     }

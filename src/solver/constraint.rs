@@ -6,20 +6,6 @@ use crate::manifold::FeatureId;
 use crate::math::Vec3;
 use crate::scalar::{Column, Scalar, StepArithmetic};
 
-/// The impulses of a contact point at the end of a step, to start the next one from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WarmStart<S: Scalar> {
-    /// Which point.
-    pub feature: FeatureId,
-    pub(super) impulse: [S; 3],
-    pub(super) places: <S::Step as StepArithmetic<S>>::Places,
-}
-
-impl<S: Scalar> WarmStart<S> {
-    /// Nothing to start from.
-    pub const NONE: Self = Self { feature: FeatureId(0), impulse: [S::ZERO; 3], places: S::Step::NO_PLACES };
-}
-
 /// A manifold prepared for a step: working space that the caller lends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ManifoldConstraint<S: Scalar> {
@@ -57,6 +43,7 @@ pub struct PointConstraint<S: Scalar> {
     pub(super) change: S,
     pub(super) gap_struck: S,
     pub(super) feature: FeatureId,
+    pub(super) bearing: [i8; 3],
     /// Without an impulse in the step before.
     pub(super) fresh: bool,
     pub(super) struck: bool,
@@ -94,6 +81,7 @@ impl<S: Scalar> PointConstraint<S> {
         change: S::ZERO,
         gap_struck: S::ZERO,
         feature: FeatureId(0),
+        bearing: [0; 3],
         fresh: true,
         struck: false,
         apart: false,

@@ -1,6 +1,7 @@
 //! From a manifold's point to what the sub-steps work with.
 
-use super::constraint::{PointConstraint, WarmStart};
+use super::constraint::PointConstraint;
+use super::warm_start::Kept;
 use crate::body::Body;
 use crate::manifold::ManifoldPoint;
 use crate::math::{UnitVec3, Vec3};
@@ -23,7 +24,7 @@ pub(super) struct Frame<'a, S: Scalar> {
 
 impl<S: Scalar> Frame<'_, S> {
     /// The point prepared, with the impulses of the step before.
-    pub fn point(&self, point: &ManifoldPoint<S>, r: [&Vec3<S>; 2], warm: &WarmStart<S>) -> PointConstraint<S> {
+    pub fn point(&self, point: &ManifoldPoint<S>, r: [&Vec3<S>; 2], kept: &mut Kept<'_, S>) -> PointConstraint<S> {
         if !is_finite(point) {
             return PointConstraint { feature: point.feature, ..PointConstraint::NEW };
         }
@@ -44,6 +45,8 @@ impl<S: Scalar> Frame<'_, S> {
             (Some((body, size)), Some(levers)) => S::Step::columns(levers, body.inv_mass, &weights, *size),
             _ => [Column::NONE; 3],
         };
+        let bearing = S::Step::bearing(&point.r_b);
+        let warm = kept.find(point.feature, bearing);
         PointConstraint {
             normal: [normal_a, normal_b],
             tangents: [[x_a, x_b], [y_a, y_b]],
@@ -53,6 +56,7 @@ impl<S: Scalar> Frame<'_, S> {
             drive: self.drive(r[0], [&n, &x, &y]),
             impulse: warm.impulse.map(|impulse| S::Step::moved(impulse, warm.places, self.places)),
             feature: point.feature,
+            bearing,
             fresh: warm.impulse[0] == S::ZERO,
             ..PointConstraint::NEW
         }

@@ -1,11 +1,12 @@
 //! One step over the caller's bodies.
 
-use super::constraint::{ManifoldConstraint, PointConstraint, WarmStart};
+use super::constraint::{ManifoldConstraint, PointConstraint};
 use super::integrate::{integrate_position, integrate_velocity, lift, store, store_velocity};
 use super::motion::{Motion, Pair, Part, Velocity};
 use super::prepare::Frame;
 use super::settings::Settings;
 use super::touch::Touch;
+use super::warm_start::{Kept, WarmStart};
 use crate::body::Body;
 use crate::contact::Material;
 use crate::manifold::Manifold;
@@ -106,7 +107,8 @@ impl<'a, S: Scalar> Step<'a, S> {
         self.constraints.bodies
     }
 
-    /// Adds the manifold between the bodies `a` and `b`. Points with the feature of one in `warm` start with its impulses.
+    /// Adds the manifold between the bodies `a` and `b`. Points with the feature of one in `warm`, or near one whose
+    /// feature is gone, start with its impulses.
     ///
     /// False where nothing was added for lack of room. (Nor is anything added, or missed, where neither body moves, or for bodies
     /// that are not there or not finite.)
@@ -153,10 +155,10 @@ impl<'a, S: Scalar> Step<'a, S> {
             inv_h: self.settings.inv_h,
             places: *places,
         };
+        let mut kept = Kept::new(warm, manifold.points());
         for (slot, point) in slots.iter_mut().zip(manifold.points()) {
             let r = if swapped { [&point.r_b, &point.r_a] } else { [&point.r_a, &point.r_b] };
-            let warm = warm.iter().find(|warm| warm.feature == point.feature);
-            *slot = frame.point(point, r, warm.unwrap_or(&WarmStart::NONE));
+            *slot = frame.point(point, r, &mut kept);
         }
         *slot = ManifoldConstraint {
             a: (a_moves && b_moves).then_some(a),
@@ -394,7 +396,7 @@ impl<S: Scalar> Constraints<'_, S> {
         self.each(|_, _, points| {
             let mut warm = [WarmStart::NONE; 4];
             for (warm, point) in warm.iter_mut().zip(points.iter()) {
-                *warm = WarmStart { feature: point.feature, impulse: point.impulse, places };
+                *warm = WarmStart { feature: point.feature, bearing: point.bearing, impulse: point.impulse, places };
             }
             keep(index, warm.get(..points.len()).unwrap_or(&[]));
             index += 1;
