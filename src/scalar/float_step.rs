@@ -185,6 +185,18 @@ macro_rules! float_step {
                 [a / length, b / length, c / length, d / length]
             }
 
+            #[inline(always)]
+            fn thrust(v: &mut Vec3<$float>, d: &Vec3<$float>, share: $float, impulse: $float) {
+                *v += *d * (share * impulse);
+            }
+
+            #[inline(always)]
+            fn is_central(levers: &Self::Levers, r: &Vec3<$float>) -> bool {
+                let [arm, ..] = &levers.arms;
+                let part = <$float as $crate::scalar::Scaled>::EPSILON;
+                arm.dot(*arm) <= r.dot(*r) * (part * part)
+            }
+
             #[inline]
             fn bearing(r: &Vec3<$float>) -> [i8; 3] {
                 let Vec3 { x, y, z } = r.magnitudes();
