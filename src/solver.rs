@@ -23,11 +23,13 @@ mod settings;
 mod softness;
 mod step;
 mod touch;
+mod warm_start;
 
-pub use self::constraint::{ManifoldConstraint, PointConstraint, WarmStart};
+pub use self::constraint::{ManifoldConstraint, PointConstraint};
 pub use self::drive::drive;
 pub use self::motion::Motion;
 pub use self::settings::{Settings, SettingsError};
 pub use self::softness::Softness;
 pub use self::step::{Buffers, Constraints, Step, StepReport};
 pub use self::touch::Touch;
+pub use self::warm_start::WarmStart;

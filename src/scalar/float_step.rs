@@ -186,6 +186,28 @@ macro_rules! float_step {
             }
 
             #[inline(always)]
+            fn thrust(v: &mut Vec3<$float>, d: &Vec3<$float>, share: $float, impulse: $float) {
+                *v += *d * (share * impulse);
+            }
+
+            #[inline(always)]
+            fn is_central(levers: &Self::Levers, r: &Vec3<$float>) -> bool {
+                let [arm, ..] = &levers.arms;
+                let part = <$float as $crate::scalar::Scaled>::EPSILON;
+                arm.dot(*arm) <= r.dot(*r) * (part * part)
+            }
+
+            #[inline]
+            fn bearing(r: &Vec3<$float>) -> [i8; 3] {
+                let Vec3 { x, y, z } = r.magnitudes();
+                let larger = if x < y { y } else { x };
+                let largest = if larger < z { z } else { larger };
+                let unit = <$float as $crate::scalar::Scaled>::ratio(63, 1) / largest;
+                let part = |x: $float| <$float as $crate::scalar::Scalar>::integer_below(x * unit) as i8;
+                if largest > $zero { [part(r.x), part(r.y), part(r.z)] } else { [0; 3] }
+            }
+
+            #[inline(always)]
             fn along(v: &Vec3<$float>, d: &Vec3<$float>) -> $float {
                 v.dot(*d)
             }

@@ -108,6 +108,12 @@ pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 's
     /// of the angle, and of unit length again.
     fn turned(orientation: [S::Unit; 4], u: Vec3<S::Unit>) -> [S::Unit; 4];
 
+    /// Adds an impulse through the centre of mass.
+    fn thrust(v: &mut Vec3<S>, d: &Vec3<S::Unit>, share: S::Unit, impulse: S);
+    /// Whether the lever along the normal is nothing but what rounding makes of an arm along it.
+    fn is_central(levers: &Self::Levers, r: &Vec3<S>) -> bool;
+    /// The direction of an arm, to about a degree: to recognise it.
+    fn bearing(r: &Vec3<S>) -> [i8; 3];
     /// The component of a vector along a direction.
     fn along(v: &Vec3<S>, d: &Vec3<S::Unit>) -> S;
     /// An impulse in N s: of a row with that share of a body with that inverse mass.

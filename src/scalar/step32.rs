@@ -143,37 +143,50 @@ fn apply_large<F: LeEqU32>(
     add(w, [turned(turn[0]), turned(turn[1]), turned(turn[2])]);
 }
 
+/// `x / 2^down` rounded, within +-2^PLACES, for any `down` and `|x|` up to 2^30.
+#[inline(always)]
+fn fitted<const PLACES: u32>(x: i32, down: i32) -> i32 {
+    if down >= 1 { rounded_down(x, down) } else { raised::<PLACES>(x, down.wrapping_neg() as u32) }
+}
+
+#[inline(never)]
+fn raised<const PLACES: u32>(x: i32, up: u32) -> i32 {
+    let end = 1i32 << PLACES;
+    if up > 30 || x.unsigned_abs() > (end as u32).wrapping_shr(up) {
+        return if x < 0 {
+            -end
+        } else if x > 0 {
+            end
+        } else {
+            0
+        };
+    }
+    x.wrapping_shl(up)
+}
+
 /// One lever's column for an inverse mass `m` and an inverse K `k`, as mantissa and exponent.
 #[inline(always)]
-fn column<F: LeEqU32>(levers: &StepLevers32, index: usize, m: Scaled32, k: Scaled32, size: i32) -> Column<FixedI32<F>>
+fn column<F: LeEqU32>(
+    arm: [i32; 3],
+    turn: [i32; 3],
+    [arm_exponent, turn_exponent]: [i32; 2],
+    m: Scaled32,
+    k: Scaled32,
+    size: i32,
+) -> Column<FixedI32<F>>
 where
     FixedI32<F>: super::Scalar<Unit = I2F30>,
 {
-    let (Some(&arm), Some(&turn)) = (levers.arms.get(index), levers.turns.get(index)) else { return Column::NONE };
-    // 2^29.8 and one place less: within 2^29.
-    let down = size.wrapping_sub(levers.arm_exponent).wrapping_add(30 - ARM as i32);
-    let arm = if down >= 1 {
-        [rounded_down(arm[0], down), rounded_down(arm[1], down), rounded_down(arm[2], down)]
-    } else {
-        let far = |x: i32| within::<{ ARM + 1 }>(x as i64, down);
-        [far(arm[0]), far(arm[1]), far(arm[2])]
-    };
-    // Products below 2^59.8, of which 29 places go first.
-    let down = (60 - TURN as i32).wrapping_sub(levers.turn_exponent).wrapping_sub(k.exponent()).wrapping_sub(size);
-    let turn = if down >= 30 {
-        let part = |x| rounded_down(narrow::<30>(product(x, k.mantissa())), down.wrapping_sub(30));
-        let exact = |x| round::<30>(product(x, k.mantissa()));
-        if down == 30 {
-            [exact(turn[0]), exact(turn[1]), exact(turn[2])]
-        } else {
-            [part(turn[0]), part(turn[1]), part(turn[2])]
-        }
-    } else {
-        let far = |x| within::<30>(product(x, k.mantissa()), down);
-        [far(turn[0]), far(turn[1]), far(turn[2])]
-    };
-    let down = 30i32.wrapping_sub(m.exponent()).wrapping_sub(k.exponent());
-    let share = within::<30>(product(m.mantissa(), k.mantissa()), down);
+    let down = size.wrapping_sub(arm_exponent).wrapping_add(30 - ARM as i32);
+    let near = |x| fitted::<{ ARM + 1 }>(x, down);
+    let arm = [near(arm[0]), near(arm[1]), near(arm[2])];
+    // Products below 2^59.8, of which 30 places go first.
+    let down = (60 - TURN as i32).wrapping_sub(turn_exponent).wrapping_sub(k.exponent()).wrapping_sub(size);
+    let down = down.wrapping_sub(30);
+    let near = |x| fitted::<30>(round::<30>(product(x, k.mantissa())), down);
+    let turn = [near(turn[0]), near(turn[1]), near(turn[2])];
+    let down = 0i32.wrapping_sub(m.exponent()).wrapping_sub(k.exponent());
+    let share = fitted::<30>(round::<30>(product(m.mantissa(), k.mantissa())), down);
     Column { arm: unit_vector(arm), turn: unit_vector(turn), share: I2F30::from_bits(share) }
 }
 
@@ -402,10 +415,12 @@ where
         weights: &Weights<FixedI32<Frac>>,
         size: i32,
     ) -> [Column<FixedI32<Frac>>; 3] {
+        let ([n, x, y], [turn_n, turn_x, turn_y]) = (levers.arms, levers.turns);
+        let exponents = [levers.arm_exponent, levers.turn_exponent];
         [
-            column(levers, 0, inv_mass, weights.inv_normal, size),
-            column(levers, 1, inv_mass, weights.inv_tangent, size),
-            column(levers, 2, inv_mass, weights.inv_tangent, size),
+            column(n, turn_n, exponents, inv_mass, weights.inv_normal, size),
+            column(x, turn_x, exponents, inv_mass, weights.inv_tangent, size),
+            column(y, turn_y, exponents, inv_mass, weights.inv_tangent, size),
         ]
     }
 
@@ -479,6 +494,32 @@ where
             y.wrapping_add(part([neg(z), w, x])),
             z.wrapping_add(part([y, neg(x), w])),
         ])
+    }
+
+    #[inline(always)]
+    fn thrust(v: &mut Vec3<FixedI32<Frac>>, d: &Vec3<I2F30>, share: I2F30, impulse: FixedI32<Frac>) {
+        let share = near::<30>(product(share.to_bits(), impulse.to_bits()));
+        let d = bits(d);
+        add(
+            v,
+            [near::<ARM>(product(d[0], share)), near::<ARM>(product(d[1], share)), near::<ARM>(product(d[2], share))],
+        );
+    }
+
+    #[inline(always)]
+    fn is_central(levers: &StepLevers32, _: &Vec3<FixedI32<Frac>>) -> bool {
+        // A unit of the last place of the arm is 2^(30 - exponent - fraction bits) here.
+        let places = 30i32.wrapping_sub(levers.arm_exponent).wrapping_sub(Frac::I32);
+        let [arm, ..] = levers.arms;
+        magnitude(arm).wrapping_shr(places.clamp(0, 31) as u32) <= 1
+    }
+
+    #[inline(always)]
+    fn bearing(r: &Vec3<FixedI32<Frac>>) -> [i8; 3] {
+        let r = bits_of(r);
+        let places = leading_zeros(magnitude(r)).wrapping_sub(1);
+        let part = |x: i32| (x.wrapping_shl(places) >> 25) as i8;
+        [part(r[0]), part(r[1]), part(r[2])]
     }
 
     #[inline(always)]

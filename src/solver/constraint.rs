@@ -1,24 +1,12 @@
 //! A manifold prepared for a step, and its normal impulses.
 
+use core::ops::Range;
+
 use super::motion::Pair;
 use super::softness::Softness;
 use crate::manifold::FeatureId;
 use crate::math::Vec3;
 use crate::scalar::{Column, Scalar, StepArithmetic};
-
-/// The impulses of a contact point at the end of a step, to start the next one from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WarmStart<S: Scalar> {
-    /// Which point.
-    pub feature: FeatureId,
-    pub(super) impulse: [S; 3],
-    pub(super) places: <S::Step as StepArithmetic<S>>::Places,
-}
-
-impl<S: Scalar> WarmStart<S> {
-    /// Nothing to start from.
-    pub const NONE: Self = Self { feature: FeatureId(0), impulse: [S::ZERO; 3], places: S::Step::NO_PLACES };
-}
 
 /// A manifold prepared for a step: working space that the caller lends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,10 +14,10 @@ pub struct ManifoldConstraint<S: Scalar> {
     /// `None`: a body that does not move.
     pub(super) a: Option<u16>,
     pub(super) b: u16,
+    /// The index of the first point.
+    pub(super) first: u16,
     pub(super) points: u8,
     pub(super) hard: bool,
-    /// Bodies A and B of the manifold are b and a here.
-    pub(super) swapped: bool,
     pub(super) bounces: bool,
     pub(super) normal: Vec3<S::Unit>,
     pub(super) tangents: [Vec3<S::Unit>; 2],
@@ -57,9 +45,12 @@ pub struct PointConstraint<S: Scalar> {
     pub(super) change: S,
     pub(super) gap_struck: S,
     pub(super) feature: FeatureId,
+    pub(super) bearing: [i8; 3],
     /// Without an impulse in the step before.
     pub(super) fresh: bool,
     pub(super) struck: bool,
+    /// The normal goes through the centres of mass: it turns neither body.
+    pub(super) central: bool,
     /// Not yet in touch in this sub-step.
     pub(super) apart: bool,
 }
@@ -69,14 +60,21 @@ impl<S: Scalar> ManifoldConstraint<S> {
     pub const NEW: Self = Self {
         a: None,
         b: 0,
+        first: 0,
         points: 0,
         hard: false,
-        swapped: false,
         bounces: false,
         normal: Vec3::ZERO,
         tangents: [Vec3::ZERO; 2],
         restitution: <S::Unit as Scalar>::ZERO,
     };
+
+    /// Which points are its own.
+    #[inline(always)]
+    pub(super) fn range(&self) -> Range<usize> {
+        let first = usize::from(self.first);
+        first..first.wrapping_add(usize::from(self.points))
+    }
 }
 
 impl<S: Scalar> PointConstraint<S> {
@@ -94,26 +92,39 @@ impl<S: Scalar> PointConstraint<S> {
         change: S::ZERO,
         gap_struck: S::ZERO,
         feature: FeatureId(0),
+        bearing: [0; 3],
         fresh: true,
         struck: false,
+        central: false,
         apart: false,
     };
 
     #[inline(always)]
-    pub(super) fn normal_speed(&self, pair: &Pair<S>, normal: &Vec3<S::Unit>) -> S {
-        pair.speed(normal, &self.normal).plus(self.drive[0])
+    pub(super) fn normal_speed(&self, pair: &Pair<'_, S>, normal: &Vec3<S::Unit>) -> S {
+        let speed = if self.central { pair.central_speed(normal) } else { pair.speed(normal, &self.normal) };
+        speed.plus(self.drive[0])
     }
 
     /// The gap as it is now.
     #[inline(always)]
-    pub(super) fn gap(&self, sum: &Pair<S>, normal: &Vec3<S::Unit>) -> S {
-        self.gap.plus(sum.speed(normal, &self.normal))
+    pub(super) fn gap(&self, pair: &Pair<'_, S>, normal: &Vec3<S::Unit>) -> S {
+        let way = if self.central { pair.central_way(normal) } else { pair.way(normal, &self.normal) };
+        self.gap.plus(way)
+    }
+
+    #[inline(always)]
+    pub(super) fn push_normal(&self, pair: &mut Pair<'_, S>, normal: &Vec3<S::Unit>, impulse: S) {
+        if self.central {
+            pair.push_centrally(normal, &self.normal, impulse);
+        } else {
+            pair.push(normal, &self.normal, impulse);
+        }
     }
 
     /// The impulse that was there before, on the bodies.
     #[inline(always)]
-    pub(super) fn warm_start(&self, pair: &mut Pair<S>, normal: &Vec3<S::Unit>, tangents: &[Vec3<S::Unit>; 2]) {
-        pair.push(normal, &self.normal, self.impulse[0]);
+    pub(super) fn warm_start(&self, pair: &mut Pair<'_, S>, normal: &Vec3<S::Unit>, tangents: &[Vec3<S::Unit>; 2]) {
+        self.push_normal(pair, normal, self.impulse[0]);
         pair.push(&tangents[0], &self.tangents[0], self.impulse[1]);
         pair.push(&tangents[1], &self.tangents[1], self.impulse[2]);
     }
@@ -122,14 +133,13 @@ impl<S: Scalar> PointConstraint<S> {
     #[inline(always)]
     pub(super) fn solve_normal(
         &mut self,
-        pair: &mut Pair<S>,
-        sum: &Pair<S>,
+        pair: &mut Pair<'_, S>,
         normal: &Vec3<S::Unit>,
         softness: &Softness<S>,
         push_out_speed: S,
     ) {
         let speed = self.normal_speed(pair, normal);
-        let gap = self.gap(sum, normal);
+        let gap = self.gap(pair, normal);
         self.apart = gap > S::ZERO;
         let before = self.impulse[0];
         let after = if self.apart {
@@ -143,19 +153,19 @@ impl<S: Scalar> PointConstraint<S> {
         let after = if after > S::ZERO { after } else { S::ZERO };
         self.note_impact(after, speed, gap);
         self.impulse[0] = after;
-        pair.push(normal, &self.normal, after.minus(before));
+        self.push_normal(pair, normal, after.minus(before));
     }
 
     /// The normal impulse of a rigid contact: takes back the speed that undoing the overlap gave. Across a gap it may only
     /// become less: what is still on its way keeps its speed.
     #[inline(always)]
-    pub(super) fn relax_normal(&mut self, pair: &mut Pair<S>, normal: &Vec3<S::Unit>) {
+    pub(super) fn relax_normal(&mut self, pair: &mut Pair<'_, S>, normal: &Vec3<S::Unit>) {
         let speed = self.normal_speed(pair, normal);
         let before = self.impulse[0];
         let after = before.minus(speed);
         let after = if after > S::ZERO { after } else { S::ZERO };
         let after = if self.apart && after > before { before } else { after };
         self.impulse[0] = after;
-        pair.push(normal, &self.normal, after.minus(before));
+        self.push_normal(pair, normal, after.minus(before));
     }
 }

@@ -9,10 +9,16 @@ impl<S: Scalar> PointConstraint<S> {
     /// The friction that stops the points where that is within the disc: both directions at once. Else each direction with
     /// the mass of the heavier, cut to the disc's radius: a block's impulse, cut, would turn the sliding aside.
     #[inline(always)]
-    pub(super) fn solve_friction(&mut self, pair: &mut Pair<S>, tangents: &[Vec3<S::Unit>; 2], normal_impulse: S) {
+    pub(super) fn solve_friction(&mut self, pair: &mut Pair<'_, S>, tangents: &[Vec3<S::Unit>; 2], normal_impulse: S) {
         let [_, before_x, before_y] = self.impulse;
+        if normal_impulse == S::ZERO && before_x == S::ZERO && before_y == S::ZERO {
+            return;
+        }
         let x = pair.speed(&tangents[0], &self.tangents[0]).plus(self.drive[1]);
         let y = pair.speed(&tangents[1], &self.tangents[1]).plus(self.drive[2]);
+        if x == S::ZERO && y == S::ZERO && before_x == S::ZERO && before_y == S::ZERO {
+            return;
+        }
         let limit = S::Step::by_ratio(normal_impulse, self.friction);
         let [stop_x, stop_y] = S::Step::by_block([x, y], self.block);
         let mut after = [before_x.minus(stop_x), before_y.minus(stop_y)];

@@ -8,7 +8,7 @@ use crate::scalar::{Scalar, StepArithmetic};
 impl<S: Scalar> PointConstraint<S> {
     /// Before a sub-step: how fast the points approach, gravity not yet added.
     #[inline(always)]
-    pub(super) fn note_approach(&mut self, pair: &Pair<S>, normal: &Vec3<S::Unit>) {
+    pub(super) fn note_approach(&mut self, pair: &Pair<'_, S>, normal: &Vec3<S::Unit>) {
         if !self.struck {
             self.change = self.normal_speed(pair, normal);
         }
@@ -40,13 +40,13 @@ impl<S: Scalar> PointConstraint<S> {
 
     /// Gives the points the speed `speed`, and returns the normal impulse of it and of the sub-step together.
     #[inline(always)]
-    pub(super) fn rebound(&mut self, pair: &mut Pair<S>, normal: &Vec3<S::Unit>, speed: S) -> S {
+    pub(super) fn rebound(&mut self, pair: &mut Pair<'_, S>, normal: &Vec3<S::Unit>, speed: S) -> S {
         let before = self.impulse[0];
         let after = before.plus(speed.minus(self.normal_speed(pair, normal)));
         let after = if after > S::ZERO { after } else { S::ZERO };
         let change = after.minus(before);
         self.total = self.total.plus(change);
-        pair.push(normal, &self.normal, change);
+        self.push_normal(pair, normal, change);
         after
     }
 }

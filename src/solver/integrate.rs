@@ -68,14 +68,12 @@ pub(super) fn store<S: Scalar>(
     places: Places<S>,
 ) -> bool {
     let (h, turn_places) = (settings.h, S::Step::more(places, motion.size));
-    let mut saturated = false;
-    let mut place = body.position.to_array();
-    for ((x, moved), rest) in place.iter_mut().zip(motion.sum.v.to_array()).zip(&mut body.rests.position) {
-        let (after, clipped) = S::Step::travel(*x, moved, h, places, rest);
-        *x = after;
-        saturated |= clipped;
-    }
-    body.position = Vec3::from_array(place);
+    let (place, moved, [rest_x, rest_y, rest_z]) = (body.position, motion.sum.v, &mut body.rests.position);
+    let (x, clipped_x) = S::Step::travel(place.x, moved.x, h, places, rest_x);
+    let (y, clipped_y) = S::Step::travel(place.y, moved.y, h, places, rest_y);
+    let (z, clipped_z) = S::Step::travel(place.z, moved.z, h, places, rest_z);
+    body.position = Vec3::new(x, y, z);
+    let saturated = clipped_x | clipped_y | clipped_z;
     if motion.isotropic {
         body.set_orientation_alone(turn(body.orientation(), motion.sum.w, h, turn_places));
     } else {

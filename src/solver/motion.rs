@@ -1,5 +1,6 @@
 //! How a body moves within a step.
 
+use super::constraint::ManifoldConstraint;
 use crate::body::Body;
 use crate::math::Vec3;
 use crate::scalar::{Column, Scalar, StepArithmetic};
@@ -62,15 +63,18 @@ impl<S: Scalar> Motion<S> {
         isotropic: true,
     };
 
-    pub(super) fn of(body: &Body<S>) -> Self {
-        if !body.is_finite() {
-            return Self { part: Part::Lost, ..Self::NEW };
-        }
-        if body.is_immovable() {
-            return Self::NEW;
-        }
-        let size = S::Step::size(body.inv_mass, body.exponent);
-        Self { size, part: Part::Moves, isotropic: body.is_isotropic(), ..Self::NEW }
+    /// Reads what a body is, not yet how it moves.
+    pub(super) fn take_up(&mut self, body: &Body<S>) {
+        self.size = S::Step::NO_PLACES;
+        self.part = if !body.is_finite() {
+            Part::Lost
+        } else if body.is_immovable() {
+            Part::Immovable
+        } else {
+            self.size = S::Step::size(body.inv_mass, body.exponent);
+            self.isotropic = body.is_isotropic();
+            Part::Moves
+        };
     }
 
     #[inline(always)]
@@ -79,29 +83,89 @@ impl<S: Scalar> Motion<S> {
     }
 }
 
-/// The velocities of the bodies of a manifold, of which the first may be one that does not move.
-#[derive(Clone, Copy)]
-pub(super) struct Pair<S: Scalar> {
-    pub a: Option<Velocity<S>>,
-    pub b: Velocity<S>,
+/// The motions of the bodies of a manifold, of which the first may be one that does not move.
+pub(super) struct Pair<'m, S: Scalar> {
+    a: Option<&'m mut Motion<S>>,
+    b: &'m mut Motion<S>,
 }
 
-impl<S: Scalar> Pair<S> {
+impl<'m, S: Scalar> Pair<'m, S> {
+    /// Those of two different bodies.
+    #[inline(always)]
+    pub fn of(motions: &'m mut [Motion<S>], manifold: &ManifoldConstraint<S>) -> Option<Self> {
+        let b = usize::from(manifold.b);
+        let Some(a) = manifold.a else { return Some(Self { a: None, b: motions.get_mut(b)? }) };
+        let a = usize::from(a);
+        if a < b {
+            let [a, .., b] = motions.get_mut(a..b.wrapping_add(1))? else { return None };
+            Some(Self { a: Some(a), b })
+        } else {
+            let [b, .., a] = motions.get_mut(b..a.wrapping_add(1))? else { return None };
+            Some(Self { a: Some(a), b })
+        }
+    }
+
     /// The relative speed along a direction.
     #[inline(always)]
     pub fn speed(&self, d: &Vec3<S::Unit>, [column_a, column_b]: &[Column<S>; 2]) -> S {
+        let b = &self.b.now;
         match &self.a {
-            Some(a) => S::Step::pair_speed(d, [&a.v, &self.b.v], [&a.w, &self.b.w], [column_a, column_b]),
-            None => S::Step::lone_speed(d, &self.b.v, &self.b.w, column_b),
+            Some(a) => S::Step::pair_speed(d, [&a.now.v, &b.v], [&a.now.w, &b.w], [column_a, column_b]),
+            None => S::Step::lone_speed(d, &b.v, &b.w, column_b),
+        }
+    }
+
+    /// The sum of it over the sub-steps so far.
+    #[inline(always)]
+    pub fn way(&self, d: &Vec3<S::Unit>, [column_a, column_b]: &[Column<S>; 2]) -> S {
+        let b = &self.b.sum;
+        match &self.a {
+            Some(a) => S::Step::pair_speed(d, [&a.sum.v, &b.v], [&a.sum.w, &b.w], [column_a, column_b]),
+            None => S::Step::lone_speed(d, &b.v, &b.w, column_b),
         }
     }
 
     /// An impulse along a direction.
     #[inline(always)]
     pub fn push(&mut self, d: &Vec3<S::Unit>, [column_a, column_b]: &[Column<S>; 2], impulse: S) {
-        if let Some(a) = &mut self.a {
-            S::Step::pull(&mut a.v, &mut a.w, d, column_a, impulse);
+        if impulse == S::ZERO {
+            return;
         }
-        S::Step::push(&mut self.b.v, &mut self.b.w, d, column_b, impulse);
+        if let Some(a) = &mut self.a {
+            S::Step::pull(&mut a.now.v, &mut a.now.w, d, column_a, impulse);
+        }
+        S::Step::push(&mut self.b.now.v, &mut self.b.now.w, d, column_b, impulse);
+    }
+
+    /// The relative speed of the centres of mass along a direction.
+    #[inline(always)]
+    pub fn central_speed(&self, d: &Vec3<S::Unit>) -> S {
+        central(self.a.as_ref().map(|a| &a.now.v), &self.b.now.v, d)
+    }
+
+    /// The sum of it over the sub-steps so far.
+    #[inline(always)]
+    pub fn central_way(&self, d: &Vec3<S::Unit>) -> S {
+        central(self.a.as_ref().map(|a| &a.sum.v), &self.b.sum.v, d)
+    }
+
+    /// An impulse that goes through the centres of mass.
+    #[inline(always)]
+    pub fn push_centrally(&mut self, d: &Vec3<S::Unit>, [column_a, column_b]: &[Column<S>; 2], impulse: S) {
+        if impulse == S::ZERO {
+            return;
+        }
+        if let Some(a) = &mut self.a {
+            S::Step::thrust(&mut a.now.v, d, column_a.share, impulse.negated());
+        }
+        S::Step::thrust(&mut self.b.now.v, d, column_b.share, impulse);
+    }
+}
+
+#[inline(always)]
+fn central<S: Scalar>(a: Option<&Vec3<S>>, b: &Vec3<S>, d: &Vec3<S::Unit>) -> S {
+    match a {
+        Some(a) => S::Step::along(&(*b - *a), d),
+        None => S::Step::along(b, d),
     }
 }

@@ -1,6 +1,7 @@
 //! From a manifold's point to what the sub-steps work with.
 
-use super::constraint::{PointConstraint, WarmStart};
+use super::constraint::PointConstraint;
+use super::warm_start::Kept;
 use crate::body::Body;
 use crate::manifold::ManifoldPoint;
 use crate::math::{UnitVec3, Vec3};
@@ -22,10 +23,17 @@ pub(super) struct Frame<'a, S: Scalar> {
 }
 
 impl<S: Scalar> Frame<'_, S> {
-    /// The point prepared, with the impulses of the step before.
-    pub fn point(&self, point: &ManifoldPoint<S>, r: [&Vec3<S>; 2], warm: &WarmStart<S>) -> PointConstraint<S> {
+    /// Prepares the point, with the impulses of the step before.
+    pub fn prepare(
+        &self,
+        slot: &mut PointConstraint<S>,
+        point: &ManifoldPoint<S>,
+        r: [&Vec3<S>; 2],
+        kept: &mut Kept<'_, S>,
+    ) {
         if !is_finite(point) {
-            return PointConstraint { feature: point.feature, ..PointConstraint::NEW };
+            *slot = PointConstraint { feature: point.feature, ..PointConstraint::NEW };
+            return;
         }
         let [n, x, y] = [self.normal.get(), self.tangents[0].get(), self.tangents[1].get()];
         let levers = |body: &Body<S>, r, d| S::Step::levers(r, d, &body.inv_inertia_world, body.exponent);
@@ -44,18 +52,23 @@ impl<S: Scalar> Frame<'_, S> {
             (Some((body, size)), Some(levers)) => S::Step::columns(levers, body.inv_mass, &weights, *size),
             _ => [Column::NONE; 3],
         };
-        PointConstraint {
-            normal: [normal_a, normal_b],
-            tangents: [[x_a, x_b], [y_a, y_b]],
-            block: weights.block,
-            friction: weights.friction,
-            gap: S::Step::gap(point.separation, self.inv_h, self.places),
-            drive: self.drive(r[0], [&n, &x, &y]),
-            impulse: warm.impulse.map(|impulse| S::Step::moved(impulse, warm.places, self.places)),
-            feature: point.feature,
-            fresh: warm.impulse[0] == S::ZERO,
-            ..PointConstraint::NEW
-        }
+        let central_a = levers_a.as_ref().is_none_or(|levers| S::Step::is_central(levers, r[0]));
+        slot.central = central_a && S::Step::is_central(&levers_b, r[1]);
+        slot.normal = [normal_a, normal_b];
+        slot.tangents = [[x_a, x_b], [y_a, y_b]];
+        slot.block = weights.block;
+        slot.friction = weights.friction;
+        slot.gap = S::Step::gap(point.separation, self.inv_h, self.places);
+        slot.drive = self.drive(r[0], [&n, &x, &y]);
+        slot.feature = point.feature;
+        slot.bearing = S::Step::bearing(&point.r_b);
+        let warm = kept.find(point.feature, slot.bearing);
+        let [along, aside_x, aside_y] = warm.impulse;
+        let moved = |impulse| S::Step::moved(impulse, warm.places, self.places);
+        slot.impulse = [moved(along), moved(aside_x), moved(aside_y)];
+        slot.fresh = along == S::ZERO;
+        (slot.total, slot.approach, slot.change, slot.gap_struck) = (S::ZERO, S::ZERO, S::ZERO, S::ZERO);
+        (slot.struck, slot.apart) = (false, false);
     }
 
     /// The speed at which the surface of a body that only the caller moves goes by.

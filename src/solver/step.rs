@@ -1,15 +1,16 @@
 //! One step over the caller's bodies.
 
-use super::constraint::{ManifoldConstraint, PointConstraint, WarmStart};
+use super::constraint::{ManifoldConstraint, PointConstraint};
 use super::integrate::{integrate_position, integrate_velocity, lift, store, store_velocity};
-use super::motion::{Motion, Pair, Part, Velocity};
+use super::motion::{Motion, Pair, Part};
 use super::prepare::Frame;
 use super::settings::Settings;
 use super::touch::Touch;
+use super::warm_start::{Kept, WarmStart};
 use crate::body::Body;
 use crate::contact::Material;
 use crate::manifold::Manifold;
-use crate::math::Vec3;
+use crate::math::{Vec3, clamp};
 use crate::scalar::{Scalar, StepArithmetic};
 
 type Places<S> = <<S as Scalar>::Step as StepArithmetic<S>>::Places;
@@ -72,19 +73,25 @@ impl<'a, S: Scalar> Step<'a, S> {
         let sum = u32::from(settings.sub_steps).next_power_of_two().trailing_zeros();
         let mut report = StepReport::default();
         let mut places = S::Step::fit(S::Step::MOST_PLACES, &fall, S::Step::NO_PLACES, HEAD_OF_GRAVITY);
-        for (body, motion) in bodies.iter().zip(buffers.motions.iter_mut()) {
-            *motion = Motion::of(body);
+        let mut motions = buffers.motions.iter_mut();
+        for body in bodies.iter() {
+            let Some(motion) = motions.next() else { break };
+            motion.take_up(body);
             if motion.part == Part::Lost {
                 report.not_finite = report.not_finite.saturating_add(1);
                 continue;
             }
-            places = S::Step::fit(places, &body.linear_velocity, S::Step::NO_PLACES, sum + HEAD_OF_SPEEDS);
+            places = S::Step::fit(places, &body.linear_velocity, S::Step::NO_PLACES, sum.wrapping_add(HEAD_OF_SPEEDS));
             if motion.moves() {
-                places = S::Step::fit(places, &body.angular_velocity, motion.size, sum + HEAD_OF_SPINS);
+                places = S::Step::fit(places, &body.angular_velocity, motion.size, sum.wrapping_add(HEAD_OF_SPINS));
             }
         }
-        for (body, motion) in bodies.iter().zip(buffers.motions.iter_mut()).filter(|(_, motion)| motion.moves()) {
-            lift(body, motion, places);
+        let mut motions = buffers.motions.iter_mut();
+        for body in bodies.iter() {
+            let Some(motion) = motions.next() else { break };
+            if motion.moves() {
+                lift(body, motion, places);
+            }
         }
         let fall = Vec3::new(gain(g.x, places), gain(g.y, places), gain(g.z, places));
         let constraints = Constraints { bodies, buffers, manifolds: 0, points: 0, places, fall };
@@ -106,7 +113,8 @@ impl<'a, S: Scalar> Step<'a, S> {
         self.constraints.bodies
     }
 
-    /// Adds the manifold between the bodies `a` and `b`. Points with the feature of one in `warm` start with its impulses.
+    /// Adds the manifold between the bodies `a` and `b`. Points with the feature of one in `warm`, or near one whose
+    /// feature is gone, start with its impulses.
     ///
     /// False where nothing was added for lack of room. (Nor is anything added, or missed, where neither body moves, or for bodies
     /// that are not there or not finite.)
@@ -130,10 +138,10 @@ impl<'a, S: Scalar> Step<'a, S> {
         }
         let (a_moves, b_moves) = (part_a == Part::Moves, part_b == Part::Moves);
         let count = manifold.points().len();
-        if count == 0 || !(a_moves || b_moves) {
+        if count == 0 || a == b || !(a_moves || b_moves) {
             return true;
         }
-        let free = buffers.points.get_mut(*points..*points + count);
+        let free = buffers.points.get_mut(*points..points.wrapping_add(count));
         let (Some(slots), Some(slot)) = (free, buffers.manifolds.get_mut(*manifolds)) else { return false };
         // The second body is one that moves.
         let swapped = !b_moves;
@@ -153,24 +161,26 @@ impl<'a, S: Scalar> Step<'a, S> {
             inv_h: self.settings.inv_h,
             places: *places,
         };
-        for (slot, point) in slots.iter_mut().zip(manifold.points()) {
+        let mut kept = Kept::new(warm, manifold.points());
+        let mut slots = slots.iter_mut();
+        for point in manifold.points() {
+            let Some(slot) = slots.next() else { break };
             let r = if swapped { [&point.r_b, &point.r_a] } else { [&point.r_a, &point.r_b] };
-            let warm = warm.iter().find(|warm| warm.feature == point.feature);
-            *slot = frame.point(point, r, warm.unwrap_or(&WarmStart::NONE));
+            frame.prepare(slot, point, r, &mut kept);
         }
         *slot = ManifoldConstraint {
             a: (a_moves && b_moves).then_some(a),
             b: if swapped { a } else { b },
+            first: *points as u16,
             points: count as u8,
             hard: !(a_moves && b_moves),
-            swapped,
             bounces: material.restitution() > S::ZERO,
             normal: S::Step::direction(&normal.get()),
             tangents: [S::Step::direction(&tangents[0].get()), S::Step::direction(&tangents[1].get())],
             restitution: S::Unit::from_scaled(material.restitution().to_scaled()).0,
         };
-        *manifolds += 1;
-        *points += count;
+        *manifolds = manifolds.wrapping_add(1);
+        *points = points.wrapping_add(count);
         true
     }
 
@@ -179,12 +189,16 @@ impl<'a, S: Scalar> Step<'a, S> {
         let mut sub_step = 0;
         while sub_step < self.settings.sub_steps {
             self.sub_step(sub_step == 0);
-            sub_step += 1;
+            sub_step = sub_step.wrapping_add(1);
         }
         self.constraints.apply_restitution();
         let places = self.constraints.places;
-        for (body, motion) in self.constraints.moving() {
-            self.report.saturated |= store(body, motion, &self.settings, places);
+        let mut motions = self.constraints.buffers.motions.iter_mut();
+        for body in self.constraints.bodies.iter_mut() {
+            let Some(motion) = motions.next() else { break };
+            if motion.moves() {
+                self.report.saturated |= store(body, motion, &self.settings, places);
+            }
         }
         (self.constraints, self.report)
     }
@@ -197,210 +211,186 @@ impl<'a, S: Scalar> Step<'a, S> {
         let mut sweep = 0;
         while sweep < sweeps {
             self.constraints.sweep();
-            sweep += 1;
+            sweep = sweep.wrapping_add(1);
         }
-        self.constraints.sum_up();
         let places = self.constraints.places;
-        for (body, motion) in self.constraints.moving() {
-            self.report.saturated |= store_velocity(body, motion, places);
+        let mut motions = self.constraints.buffers.motions.iter_mut();
+        for body in self.constraints.bodies.iter_mut() {
+            let Some(motion) = motions.next() else { break };
+            if motion.moves() {
+                self.report.saturated |= store_velocity(body, motion, places);
+            }
         }
         (self.constraints, self.report)
     }
 
     fn sub_step(&mut self, first: bool) {
-        let (places, fall) = (self.constraints.places, self.constraints.fall);
         self.constraints.note_approaches();
-        for (body, motion) in self.constraints.moving() {
-            integrate_velocity(body, motion, &fall, self.settings.inv_h);
-        }
+        self.constraints.integrate_velocities(&self.settings);
         if first {
             self.constraints.warm_start();
         }
         self.constraints.solve(&self.settings);
-        for (body, motion) in self.constraints.moving() {
-            integrate_position(body, motion, self.settings.h, places);
-        }
+        self.constraints.integrate_positions(&self.settings);
         self.constraints.relax();
-        self.constraints.sum_up();
-    }
-}
-
-/// The velocities of a manifold's bodies.
-#[inline(always)]
-fn now<S: Scalar>(motions: &[Motion<S>], manifold: &ManifoldConstraint<S>) -> Option<Pair<S>> {
-    pair(motions, manifold, |motion| &motion.now)
-}
-
-#[inline(always)]
-fn pair<S: Scalar>(
-    motions: &[Motion<S>],
-    manifold: &ManifoldConstraint<S>,
-    which: impl Fn(&Motion<S>) -> &Velocity<S>,
-) -> Option<Pair<S>> {
-    let b = *which(motions.get(usize::from(manifold.b))?);
-    let a = match manifold.a {
-        Some(a) => Some(*which(motions.get(usize::from(a))?)),
-        None => None,
-    };
-    Some(Pair { a, b })
-}
-
-#[inline(always)]
-fn put_back<S: Scalar>(motions: &mut [Motion<S>], manifold: &ManifoldConstraint<S>, pair: &Pair<S>) {
-    if let (Some(a), Some(velocity)) = (manifold.a, pair.a) {
-        if let Some(motion) = motions.get_mut(usize::from(a)) {
-            motion.now = velocity;
-        }
-    }
-    if let Some(motion) = motions.get_mut(usize::from(manifold.b)) {
-        motion.now = pair.b;
     }
 }
 
 impl<S: Scalar> Constraints<'_, S> {
-    /// The bodies that move, with their motions.
-    fn moving(&mut self) -> impl Iterator<Item = (&mut Body<S>, &mut Motion<S>)> {
-        self.bodies.iter_mut().zip(self.buffers.motions.iter_mut()).filter(|(_, motion)| motion.moves())
+    fn integrate_velocities(&mut self, settings: &Settings<S>) {
+        let mut motions = self.buffers.motions.iter_mut();
+        for body in self.bodies.iter() {
+            let Some(motion) = motions.next() else { return };
+            if motion.moves() {
+                integrate_velocity(body, motion, &self.fall, settings.inv_h);
+            }
+        }
     }
 
-    /// Each manifold with its points and the motions of all bodies, in the order in which they were added.
-    #[inline(always)]
-    fn each(&mut self, mut work: impl FnMut(&mut [Motion<S>], &ManifoldConstraint<S>, &mut [PointConstraint<S>])) {
-        let Buffers { motions, manifolds, points } = &mut self.buffers;
-        let mut rest: &mut [PointConstraint<S>] = points;
-        for manifold in manifolds.iter().take(self.manifolds) {
-            let taken = core::mem::take(&mut rest);
-            let Some((mine, others)) = taken.split_at_mut_checked(usize::from(manifold.points)) else { return };
-            rest = others;
-            work(motions, manifold, mine);
+    fn integrate_positions(&mut self, settings: &Settings<S>) {
+        let mut motions = self.buffers.motions.iter_mut();
+        for body in self.bodies.iter_mut() {
+            let Some(motion) = motions.next() else { return };
+            if motion.moves() {
+                integrate_position(body, motion, settings.h, self.places);
+            }
         }
     }
 
     fn note_approaches(&mut self) {
-        self.each(|motions, manifold, points| {
+        let Buffers { motions, manifolds, points } = &mut self.buffers;
+        for manifold in manifolds.iter().take(self.manifolds) {
             if !manifold.bounces {
-                return;
+                continue;
             }
-            let Some(pair) = now(motions, manifold) else { return };
+            let Some(points) = points.get_mut(manifold.range()) else { return };
+            let Some(pair) = Pair::of(motions, manifold) else { return };
             for point in points {
                 point.note_approach(&pair, &manifold.normal);
             }
-        });
+        }
     }
 
     fn warm_start(&mut self) {
-        self.each(|motions, manifold, points| {
-            let Some(mut pair) = now(motions, manifold) else { return };
+        let Buffers { motions, manifolds, points } = &mut self.buffers;
+        for manifold in manifolds.iter().take(self.manifolds) {
+            let Some(points) = points.get_mut(manifold.range()) else { return };
+            let Some(mut pair) = Pair::of(motions, manifold) else { return };
             for point in points {
                 point.warm_start(&mut pair, &manifold.normal, &manifold.tangents);
             }
-            put_back(motions, manifold, &pair);
-        });
+        }
     }
 
     fn solve(&mut self, settings: &Settings<S>) {
         let push_out_speed = S::Step::lift(settings.push_out_speed, S::Step::NO_REST, self.places);
-        self.each(|motions, manifold, points| {
-            let Some(mut pair) = now(motions, manifold) else { return };
-            let Some(sum) = self::pair(motions, manifold, |motion| &motion.sum) else { return };
+        let Buffers { motions, manifolds, points } = &mut self.buffers;
+        for manifold in manifolds.iter().take(self.manifolds) {
+            let Some(points) = points.get_mut(manifold.range()) else { return };
+            let Some(mut pair) = Pair::of(motions, manifold) else { return };
             let softness = if manifold.hard { &settings.hard } else { &settings.soft };
             for point in points {
-                point.solve_normal(&mut pair, &sum, &manifold.normal, softness, push_out_speed);
+                point.solve_normal(&mut pair, &manifold.normal, softness, push_out_speed);
             }
-            put_back(motions, manifold, &pair);
-        });
-    }
-
-    fn sweep(&mut self) {
-        self.each(|motions, manifold, points| {
-            let Some(mut pair) = now(motions, manifold) else { return };
-            for point in points {
-                let mut round = 0;
-                while round < ROUNDS {
-                    point.relax_normal(&mut pair, &manifold.normal);
-                    point.solve_friction(&mut pair, &manifold.tangents, point.impulse[0]);
-                    round += 1;
-                }
-            }
-            put_back(motions, manifold, &pair);
-        });
+        }
     }
 
     fn relax(&mut self) {
-        self.each(|motions, manifold, points| {
-            let Some(mut pair) = now(motions, manifold) else { return };
+        let Buffers { motions, manifolds, points } = &mut self.buffers;
+        for manifold in manifolds.iter().take(self.manifolds) {
+            let Some(points) = points.get_mut(manifold.range()) else { return };
+            let Some(mut pair) = Pair::of(motions, manifold) else { return };
             for point in points.iter_mut() {
                 point.relax_normal(&mut pair, &manifold.normal);
             }
             for point in points {
                 point.solve_friction(&mut pair, &manifold.tangents, point.impulse[0]);
                 point.gap = point.gap.plus(point.drive[0]);
+                point.total = point.total.plus(point.impulse[0]);
             }
-            put_back(motions, manifold, &pair);
-        });
+        }
     }
 
-    /// Counts the impulses of this sub-step.
-    fn sum_up(&mut self) {
-        for point in self.buffers.points.iter_mut().take(self.points) {
-            point.total = point.total.plus(point.impulse[0]);
+    fn sweep(&mut self) {
+        let Buffers { motions, manifolds, points } = &mut self.buffers;
+        for manifold in manifolds.iter().take(self.manifolds) {
+            let Some(points) = points.get_mut(manifold.range()) else { return };
+            let Some(mut pair) = Pair::of(motions, manifold) else { return };
+            for point in points {
+                let mut round = 0;
+                while round < ROUNDS {
+                    point.relax_normal(&mut pair, &manifold.normal);
+                    point.solve_friction(&mut pair, &manifold.tangents, point.impulse[0]);
+                    round = round.wrapping_add(1);
+                }
+                point.total = point.impulse[0];
+            }
         }
     }
 
     fn apply_restitution(&mut self) {
         let threshold = self.fall.length();
-        self.each(|motions, manifold, points| {
+        let Buffers { motions, manifolds, points } = &mut self.buffers;
+        for manifold in manifolds.iter().take(self.manifolds) {
             if !manifold.bounces {
-                return;
+                continue;
             }
-            let Some(mut pair) = now(motions, manifold) else { return };
-            let Some(sum) = self::pair(motions, manifold, |motion| &motion.sum) else { return };
-            let mut bounced = [None; 4];
-            for (point, bounced) in points.iter_mut().zip(&mut bounced) {
+            let Some(points) = points.get_mut(manifold.range()) else { return };
+            let Some(mut pair) = Pair::of(motions, manifold) else { return };
+            let mut rebounds = [None; 4];
+            let mut free = rebounds.iter_mut();
+            for point in points.iter_mut() {
+                let Some(rebound) = free.next() else { break };
                 if point.struck && point.approach.plus(threshold) < S::ZERO {
-                    let speed = {
-                        point.change = crate::math::clamp(point.change, threshold.plus(threshold));
-                        point.rebound_speed(point.gap(&sum, &manifold.normal), manifold.restitution)
-                    };
-                    *bounced = Some(point.rebound(&mut pair, &manifold.normal, speed));
+                    // What else the sub-step added is no acceleration that lasts.
+                    point.change = clamp(point.change, threshold.plus(threshold));
+                    let gap = point.gap(&pair, &manifold.normal);
+                    let speed = point.rebound_speed(gap, manifold.restitution);
+                    *rebound = Some(point.rebound(&mut pair, &manifold.normal, speed));
                 }
             }
-            for (point, bounced) in points.iter_mut().zip(bounced) {
-                if let Some(impulse) = bounced {
+            let mut rebounds = rebounds.iter();
+            for point in points.iter_mut() {
+                let Some(rebound) = rebounds.next() else { break };
+                if let Some(impulse) = rebound {
                     let kept = point.impulse;
-                    point.solve_friction(&mut pair, &manifold.tangents, impulse);
+                    point.solve_friction(&mut pair, &manifold.tangents, *impulse);
                     point.impulse = kept;
                 }
             }
-            put_back(motions, manifold, &pair);
-        });
+        }
     }
 
     /// How each manifold pushed in this step: calls `note` with its index, in the order added.
     pub fn touches(&mut self, mut note: impl FnMut(usize, &Touch<S>)) {
         let (bodies, manifolds) = (&*self.bodies, &*self.buffers.manifolds);
-        let mut points = self.buffers.points.iter();
-        for (index, manifold) in manifolds.iter().take(self.manifolds).enumerate() {
+        let mut index = 0usize;
+        for manifold in manifolds.iter().take(self.manifolds) {
+            let Some(points) = self.buffers.points.get(manifold.range()) else { return };
             let Some(body) = bodies.get(usize::from(manifold.b)) else { return };
             let fall = manifold.fall(&self.fall, body, manifold.a.and_then(|a| bodies.get(usize::from(a))));
             let mut touch = Touch::NONE;
-            for point in points.by_ref().take(usize::from(manifold.points)) {
+            for point in points {
                 touch.add(point, body.inv_mass, fall, self.places);
             }
             note(index, &touch);
+            index = index.wrapping_add(1);
         }
     }
 
     /// What to start the next step from: calls `keep` for each manifold with its index, in the order added, and its points.
     pub fn impulses(&mut self, mut keep: impl FnMut(usize, &[WarmStart<S>])) {
-        let (mut index, places) = (0, self.places);
-        self.each(|_, _, points| {
+        let (mut index, places) = (0usize, self.places);
+        for manifold in self.buffers.manifolds.iter().take(self.manifolds) {
+            let Some(points) = self.buffers.points.get(manifold.range()) else { return };
             let mut warm = [WarmStart::NONE; 4];
-            for (warm, point) in warm.iter_mut().zip(points.iter()) {
-                *warm = WarmStart { feature: point.feature, impulse: point.impulse, places };
+            let mut free = warm.iter_mut();
+            for PointConstraint { feature, bearing, impulse, .. } in points {
+                let Some(warm) = free.next() else { break };
+                *warm = WarmStart { feature: *feature, bearing: *bearing, impulse: *impulse, places };
             }
             keep(index, warm.get(..points.len()).unwrap_or(&[]));
-            index += 1;
-        });
+            index = index.wrapping_add(1);
+        }
     }
 }

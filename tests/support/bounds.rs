@@ -38,6 +38,6 @@ pub const ROCKING: f64 = 0.05;
 /// What is left of the error after some sweeps, in parts of what a row-wise solver leaves.
 pub const NETWORK: f64 = 1.05;
 /// By how much of a box a box of a pile moves aside meanwhile.
-pub const ASIDE: f64 = 0.25;
+pub const ASIDE: f64 = 0.1;
 /// Impulses and approach speeds that a step tells.
 pub const IMPULSE: f64 = 0.01;
