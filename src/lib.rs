@@ -44,7 +44,7 @@
 //! - [`Body`], [`Contact`], [`Material`]: what the kernel works on.
 //! - [`impulse`]: **the kernel**. From [`impulse::effective_mass`] over [`impulse::collision_impulse`] and
 //!   [`impulse::apply_impulse`] to [`impulse::resolve_collision_with_friction`].
-//! - [`Sphere`], [`HalfSpace`], [`Cuboid`], [`Capsule`], [`ConvexHull`], [`HeightField`]: shapes. [`Collide`] finds where two
+//! - [`Sphere`], [`HalfSpace`], [`Cuboid`], [`Capsule`], [`ConvexHull`], [`HeightField`], and a [`Compound`] of several: shapes. [`Collide`] finds where two
 //!   touch, [`Shape`] answers rays and points, [`shapes!`] makes one type of those that a world holds, and [`SweepAndPrune`]
 //!   finds the pairs worth a look. Geometry knows neither velocities nor masses.
 //! - [`StateHash`]: one number to compare two machines by.
@@ -86,20 +86,20 @@ pub use body::Body;
 pub use broad_phase::{PairSink, Pairs, SweepAndPrune};
 pub use contact::{Contact, Material, RestitutionLaw};
 pub use error::{
-    BodyError, ContactError, DirectionError, HeightFieldError, HullError, MassError, MaterialError, OrientationError,
-    RangeError, ShapeError, SolidError,
+    BodyError, CompoundError, ContactError, DirectionError, HeightFieldError, HullError, MassError, MaterialError,
+    OrientationError, RangeError, ShapeError, SolidError,
 };
 pub use hash::StateHash;
 pub use manifold::{FeatureId, Manifold, ManifoldPoint};
-pub use mass::{MassProperties, Solid};
+pub use mass::{Assembly, MassProperties, Solid, SolidPart};
 pub use math::{Block, BlockImpulse, Mat3, Pose, Quat, SymBlock, SymMat3, UnitVec3, Vec3};
 pub use query::{Ray, RayHit, SurfacePoint};
 #[cfg(feature = "fixed")]
 pub use scalar::Scaled32;
 pub use scalar::{Column, Scalar, Scaled, StepArithmetic, Weights};
 pub use shape::{
-    Capsule, Closest, Collide, ConvexHull, Cuboid, HalfSpace, HeightField, MAX_CORNERS, MAX_FACE_CORNERS, ManifoldSink,
-    Shape, Sphere,
+    Capsule, Closest, Collide, Compound, ConvexHull, Cuboid, HalfSpace, HeightField, MAX_CORNERS, MAX_FACE_CORNERS,
+    ManifoldSink, Member, Part, Shape, Sphere,
 };
 
 // The README's example compiles and runs.

@@ -5,7 +5,7 @@ use crate::error::HullError;
 use crate::math::{Pose, Vec3, max, min};
 use crate::query::{self, Ray, RayHit, SurfacePoint};
 use crate::scalar::Scalar;
-use crate::shape::Shape;
+use crate::shape::{Shape, at_most};
 
 mod build;
 
@@ -105,6 +105,14 @@ impl<S: Scalar, const N: usize> Shape<S> for &ConvexHull<S, N> {
             least = min(least, face.offset);
         }
         max(least, S::ZERO)
+    }
+
+    fn outer_radius(&self) -> S {
+        let mut most = S::ZERO;
+        for corner in self.corners() {
+            most = max(most, at_most(corner.magnitudes()));
+        }
+        most
     }
 
     #[inline]
