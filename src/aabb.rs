@@ -1,6 +1,6 @@
 //! The axis-aligned bounding box.
 
-use crate::math::{Pose, Vec3, max, min};
+use crate::math::{Mat3, Vec3, max, min};
 use crate::scalar::Scalar;
 
 /// A box along the world's axes that holds a shape, up to a rounding: what is near it is to be found with a margin.
@@ -27,11 +27,11 @@ impl<S: Scalar> Aabb<S> {
         Self { min: centre - extents, max: centre + extents }
     }
 
-    /// Around a box in a frame with that pose, whose middle and half extents are given in it.
+    /// Around a box of those half extents, turned, with its middle in that place.
     #[inline]
-    pub(crate) fn of_box(pose: &Pose<S>, middle: Vec3<S>, half: Vec3<S>) -> Self {
-        let [x, y, z] = pose.rotation.rows;
-        Self::around(pose.to_world(middle), half.through([x.magnitudes(), y.magnitudes(), z.magnitudes()]))
+    pub(crate) fn of_box(centre: Vec3<S>, half_extents: Vec3<S>, rotation: &Mat3<S::Unit>) -> Self {
+        let [x, y, z] = rotation.rows;
+        Self::around(centre, half_extents.through([x.magnitudes(), y.magnitudes(), z.magnitudes()]))
     }
 
     /// The middle, and the half extents rounded up.

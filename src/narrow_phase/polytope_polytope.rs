@@ -263,6 +263,18 @@ fn against<S: Scalar>(polytope: &impl Polytope<S>, direction: Vec3<S::Unit>) -> 
     best.0
 }
 
+/// Whether even the balls around two shapes are farther apart than `margin`.
+#[inline(always)]
+pub(super) fn are_apart<S: Scalar, A: Shape<S>, B: Shape<S>>(
+    (a, pose_a): Placed<'_, S, A>,
+    (b, pose_b): Placed<'_, S, B>,
+    margin: S,
+) -> bool {
+    let way = (pose_b.position - pose_a.position).to_array();
+    let reach = a.outer_radius().plus(b.outer_radius()).plus(margin);
+    S::wide_dot3(way, way) > S::wide_product(reach, reach)
+}
+
 /// The size of the smaller of two shapes.
 pub(super) fn smaller<S: Scalar>(a: &impl Shape<S>, b: &impl Shape<S>) -> S {
     min(a.inner_radius(), b.inner_radius())

@@ -81,7 +81,11 @@ impl<S: Scalar, P: Copy> Member for Compound<'_, S, P> {}
 impl<S: Scalar, P: Shape<S>> Shape<S> for Compound<'_, S, P> {
     /// Around the box that holds all parts: its cost does not depend on how many there are.
     fn aabb(&self, pose: &Pose<S>) -> Aabb<S> {
-        if self.half.x == S::LARGEST { Aabb::unbounded() } else { Aabb::of_box(pose, self.middle, self.half) }
+        if self.half.x == S::LARGEST {
+            Aabb::unbounded()
+        } else {
+            Aabb::of_box(pose.to_world(self.middle), self.half, &pose.rotation)
+        }
     }
 
     /// Of the smallest part.

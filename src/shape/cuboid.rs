@@ -43,7 +43,7 @@ impl<S: Scalar> Cuboid<S> {
 impl<S: Scalar> Shape<S> for Cuboid<S> {
     #[inline]
     fn aabb(&self, pose: &Pose<S>) -> Aabb<S> {
-        Aabb::of_box(pose, Vec3::ZERO, self.half_extents)
+        Aabb::of_box(pose.position, self.half_extents, &pose.rotation)
     }
 
     #[inline(always)]
