@@ -23,6 +23,9 @@ const BILLIARD_BREAK: Pins = [
     ("micromath", 0x6b88_4f1a_a57b_85d0),
 ];
 
+/// Of the pairs of shapes.
+const SHAPES: Pins = [("f32", 0), ("f64", 0), ("i16f16", 0), ("i12f20", 0), ("i8f24", 0), ("micromath", 0)];
+
 fn pin(pins: &Pins, scalar: &str) -> Option<u64> {
     pins.iter().find(|(name, _)| *name == scalar).map(|(_, hash)| *hash)
 }
@@ -35,4 +38,9 @@ pub fn impacts(scalar: &str) -> Option<u64> {
 /// The hash after the billiard break.
 pub fn billiard_break(scalar: &str) -> Option<u64> {
     pin(&BILLIARD_BREAK, scalar)
+}
+
+/// The hash of the pairs of shapes.
+pub fn shapes(scalar: &str) -> Option<u64> {
+    pin(&SHAPES, scalar)
 }

@@ -224,6 +224,7 @@ fn over_face<S: Scalar>(
             polygon.cut(
                 (MAX_FACE_CORNERS as u16).wrapping_add(u16::from(side)).wrapping_sub(1),
                 Side { from, along: [x, y] },
+                steady,
             );
         }
         if next.is_none() {
