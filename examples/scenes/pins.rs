@@ -24,7 +24,14 @@ const BILLIARD_BREAK: Pins = [
 ];
 
 /// Of the pairs of shapes.
-const SHAPES: Pins = [("f32", 0), ("f64", 0), ("i16f16", 0), ("i12f20", 0), ("i8f24", 0), ("micromath", 0)];
+const SHAPES: Pins = [
+    ("f32", 0x698f_166a_b3c8_de05),
+    ("f64", 0x5b98_6ab7_23c8_ab0e),
+    ("i16f16", 0x0d71_87c3_a4d1_9516),
+    ("i12f20", 0x9f12_8aa3_5587_cd5a),
+    ("i8f24", 0x20ee_5d4b_065a_893b),
+    ("micromath", 0xabfd_157e_53ab_6c8c),
+];
 
 fn pin(pins: &Pins, scalar: &str) -> Option<u64> {
     pins.iter().find(|(name, _)| *name == scalar).map(|(_, hash)| *hash)
