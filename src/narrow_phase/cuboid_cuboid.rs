@@ -72,8 +72,8 @@ fn separating_axis<S: Scalar>(
     // Across each pair of edges: with the frames cycled so that the first axes are those of the edges.
     let (mut rows, mut sizes, mut d, mut h) = (rotation.rows, sizes.rows, *in_a, a);
     for i in 0..3 {
-        let short = across_edges_at_most(&d, &h, b, &rows, &sizes);
-        for (j, short) in (0..3).zip(short) {
+        let [x, y, z] = across_edges_at_most(&d, &h, b, &rows, &sizes);
+        for &(j, short) in &[(0, x), (1, y), (2, z)] {
             let bound = if matches!(kind, Axis::Edges(..)) { best } else { best.plus(steady) };
             if short <= S::ZERO && short <= bound {
                 continue;
