@@ -378,7 +378,7 @@ impl Job for Mirrored {
             }
             assert_eq!(there, back);
             let mut moved = pose_a;
-            moved.position = moved.position + vector(scale(1e-4, random.direction()));
+            moved.position += vector(scale(1e-4, random.direction()));
             let after: BTreeSet<u32> =
                 manifolds((&a, &moved), (&other, &other_pose)).iter().map(|(part, _)| *part).collect();
             let near = |manifold: &Manifold<S>| manifold.points().iter().any(|p| p.separation.to_f64() < 0.019);

@@ -80,7 +80,7 @@ impl<S: Scalar, Each: FnMut(&Meeting<S>)> Scene<'_, S, Each> {
         add_unit(&mut self.hash, closest.normal);
         self.hash.add_vec3(closest.r_a);
         self.hash.add_vec3(closest.r_b);
-        pose.position = pose.position + closest.normal.times(closest.separation.plus(self.depth));
+        pose.position += closest.normal.times(closest.separation.plus(self.depth));
         let hash = &mut self.hash;
         let place = Manifold::empty(UnitVec3::Z);
         let mut sink = Sink { place, hash, manifolds: 0, points: 0, separation: S::ZERO };

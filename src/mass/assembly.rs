@@ -70,7 +70,7 @@ impl<S: Scalar> Assembly<S> {
             mass = mass + part.mass;
             moment = plus(moment, scaled(part.pose.position).map(|x| part.mass * x));
         }
-        if !(mass > zero) {
+        if !mass.is_positive() {
             return Err(MassError::Mass);
         }
         let [x, y, z] = moment.map(|x| S::from_scaled(x / mass).0);
