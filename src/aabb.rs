@@ -1,6 +1,6 @@
 //! The axis-aligned bounding box.
 
-use crate::math::{Vec3, max, min};
+use crate::math::{Mat3, Vec3, max, min};
 use crate::scalar::Scalar;
 
 /// A box along the world's axes that holds a shape, up to a rounding: what is near it is to be found with a margin.
@@ -31,6 +31,29 @@ impl<S: Scalar> Aabb<S> {
     #[inline]
     pub fn around(centre: Vec3<S>, extents: Vec3<S>) -> Self {
         Self { min: centre - extents, max: centre + extents }
+    }
+
+    /// Around a box of those half extents, turned, with its middle in that place.
+    #[inline]
+    pub(crate) fn of_box(centre: Vec3<S>, half_extents: Vec3<S>, rotation: &Mat3<S::Unit>) -> Self {
+        let [x, y, z] = rotation.rows;
+        Self::around(centre, half_extents.through([x.magnitudes(), y.magnitudes(), z.magnitudes()]))
+    }
+
+    /// The middle, and the half extents rounded up.
+    #[inline]
+    pub(crate) fn middle_and_half(&self) -> [Vec3<S>; 2] {
+        let (low, high) = (self.min.halved(), self.max.halved());
+        let Vec3 { x, y, z } = high - low;
+        [low + high, Vec3::new(x.plus(S::STEP), y.plus(S::STEP), z.plus(S::STEP))]
+    }
+
+    /// Whether it ends within the format's range on every side.
+    #[inline]
+    pub fn is_bounded(&self) -> bool {
+        let (low, high) = (self.min, self.max);
+        let (least, most) = (S::LARGEST.negated(), S::LARGEST);
+        low.x > least && low.y > least && low.z > least && high.x < most && high.y < most && high.z < most
     }
 
     /// The box with `margin` more on every side.

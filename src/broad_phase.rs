@@ -12,6 +12,10 @@ use crate::scalar::Scalar;
 pub trait PairSink {
     /// The boxes with these indices overlap; `a < b`. Each pair comes once.
     fn pair(&mut self, a: u16, b: u16);
+
+    /// Two boxes were compared: what a sweep costs, for those who count it.
+    #[inline(always)]
+    fn compared(&mut self) {}
 }
 
 /// Pairs in the caller's memory; counts those for which there is no room.
@@ -69,10 +73,20 @@ impl Axis {
     #[inline(always)]
     fn of<S: Copy>(self, v: &Vec3<S>) -> S {
         match self {
-            Self::X => v.x,
-            Self::Y => v.y,
-            Self::Z => v.z,
+            Self::X => along::<S, 0>(v),
+            Self::Y => along::<S, 1>(v),
+            Self::Z => along::<S, 2>(v),
         }
+    }
+}
+
+/// The component along an axis that is known at compile time: a choice at every comparison costs more than the comparison.
+#[inline(always)]
+fn along<S: Copy, const AXIS: u8>(v: &Vec3<S>) -> S {
+    match AXIS {
+        0 => v.x,
+        1 => v.y,
+        _ => v.z,
     }
 }
 
@@ -85,42 +99,40 @@ pub struct SweepAndPrune<M> {
     order: M,
     len: usize,
     axis: Axis,
+    /// Sweeps since the axis was chosen.
+    age: u8,
 }
+
+/// Sweeps after which the axis is chosen anew.
+const OLD: u8 = 16;
 
 impl<M: AsMut<[u16]>> SweepAndPrune<M> {
     /// For as many boxes as the memory has numbers. More are compared with all others.
     pub const fn new(memory: M) -> Self {
-        Self { order: memory, len: 0, axis: Axis::X }
+        Self { order: memory, len: 0, axis: Axis::X, age: OLD }
     }
 
     /// Hands over every pair of boxes that overlap, of up to 65,536 boxes; a box without a shape in it overlaps none where its
     /// minimum is above its maximum. No coordinate may be a NaN.
     pub fn sweep<S: Scalar>(&mut self, boxes: &[Aabb<S>], sink: &mut impl PairSink) {
         self.resize(boxes.len());
-        self.axis = widest(boxes, self.axis);
-        let Self { order, len, axis } = self;
-        let (order, axis) = (order.as_mut().get_mut(..*len).unwrap_or_default(), *axis);
-        sort(order, boxes, axis);
-        let mut rest: &[u16] = order;
-        while let [first, later @ ..] = rest {
-            rest = later;
-            let Some(a) = boxes.get(usize::from(*first)) else { continue };
-            let end = axis.of(&a.max);
-            for second in later {
-                let Some(b) = boxes.get(usize::from(*second)) else { continue };
-                if axis.of(&b.min) > end {
-                    break;
-                }
-                if a.overlaps(b) {
-                    sink.pair(*first.min(second), *first.max(second));
-                }
-            }
+        if self.age >= OLD {
+            self.axis = widest(boxes, self.axis);
+            self.age = 0;
+        }
+        self.age = self.age.wrapping_add(1);
+        let order = self.order.as_mut().get_mut(..self.len).unwrap_or_default();
+        match self.axis {
+            Axis::X => sweep_along::<S, 0>(order, boxes, sink),
+            Axis::Y => sweep_along::<S, 1>(order, boxes, sink),
+            Axis::Z => sweep_along::<S, 2>(order, boxes, sink),
         }
         // What there is no memory for, with all that come before it.
-        let mut index = *len;
+        let mut index = self.len;
         while let Some(extra) = boxes.get(index) {
             let mut other = 0;
             for earlier in boxes.get(..index).unwrap_or(&[]) {
+                sink.compared();
                 if extra.overlaps(earlier) {
                     sink.pair(other, index as u16);
                 }
@@ -134,6 +146,10 @@ impl<M: AsMut<[u16]>> SweepAndPrune<M> {
     fn resize(&mut self, count: usize) {
         let order = self.order.as_mut();
         let count = count.min(order.len()).min(1 << 16);
+        if count == self.len {
+            return;
+        }
+        self.age = OLD;
         if count < self.len {
             let mut kept = 0;
             for index in 0..self.len {
@@ -177,17 +193,50 @@ fn widest<S: Scalar>(boxes: &[Aabb<S>], present: Axis) -> Axis {
     best
 }
 
-/// Insertion sort by where the boxes begin, and where they begin together by their numbers: one order, wherever it came from.
-fn sort<S: Scalar>(order: &mut [u16], boxes: &[Aabb<S>], axis: Axis) {
-    for end in 1..order.len() {
-        let mut place = end;
-        while let Some([before, after]) = order.get_mut(place.wrapping_sub(1)..=place) {
-            if !begins_before(*after, *before, boxes, axis) {
+/// The pairs of the boxes in that order along the axis, which is put right first.
+fn sweep_along<S: Scalar, const AXIS: u8>(order: &mut [u16], boxes: &[Aabb<S>], sink: &mut impl PairSink) {
+    sort::<S, AXIS>(order, boxes, sink);
+    let mut rest: &[u16] = order;
+    while let [first, later @ ..] = rest {
+        rest = later;
+        let Some(a) = boxes.get(usize::from(*first)) else { continue };
+        let end = along::<S, AXIS>(&a.max);
+        for second in later {
+            let Some(b) = boxes.get(usize::from(*second)) else { continue };
+            sink.compared();
+            if along::<S, AXIS>(&b.min) > end {
                 break;
             }
-            core::mem::swap(before, after);
-            place = place.wrapping_sub(1);
-            if place == 0 {
+            if a.overlaps(b) {
+                sink.pair(*first.min(second), *first.max(second));
+            }
+        }
+    }
+}
+
+/// Insertion sort by where the boxes begin, and where they begin together by their numbers: one order, wherever it came from.
+fn sort<S: Scalar, const AXIS: u8>(order: &mut [u16], boxes: &[Aabb<S>], sink: &mut impl PairSink) {
+    let begin = |number: u16| boxes.get(usize::from(number)).map_or(S::LARGEST, |of| along::<S, AXIS>(&of.min));
+    let (Some(&first), mut place) = (order.first(), 0usize) else { return };
+    let mut last = (begin(first), first);
+    while let Some(&number) = order.get(place.wrapping_add(1)) {
+        place = place.wrapping_add(1);
+        let key = (begin(number), number);
+        sink.compared();
+        if !is_before(key, last) {
+            last = key;
+            continue;
+        }
+        // The boxes that begin later go one place on.
+        let mut free = place;
+        while let Some([before, after]) = order.get_mut(free.wrapping_sub(1)..=free) {
+            sink.compared();
+            if !is_before(key, (begin(*before), *before)) {
+                break;
+            }
+            (*after, *before) = (*before, number);
+            free = free.wrapping_sub(1);
+            if free == 0 {
                 break;
             }
         }
@@ -195,8 +244,6 @@ fn sort<S: Scalar>(order: &mut [u16], boxes: &[Aabb<S>], axis: Axis) {
 }
 
 #[inline(always)]
-fn begins_before<S: Scalar>(a: u16, b: u16, boxes: &[Aabb<S>], axis: Axis) -> bool {
-    let (Some(first), Some(second)) = (boxes.get(usize::from(a)), boxes.get(usize::from(b))) else { return false };
-    let (x, y) = (axis.of(&first.min), axis.of(&second.min));
-    x < y || (x == y && a < b)
+fn is_before<S: Scalar>((a, first): (S, u16), (b, second): (S, u16)) -> bool {
+    a < b || (a == b && first < second)
 }

@@ -108,6 +108,16 @@ errors! {
         Height => "height field: a height is not finite",
     }
 
+    /// Parts that make no compound.
+    CompoundError {
+        /// There is no part.
+        Empty => "compound: it takes one part at least",
+        /// More than 255 parts.
+        TooMany => "compound: more than 255 parts",
+        /// A part's pose has an infinity or NaN in it.
+        Pose => "compound: a part's pose is not finite",
+    }
+
     /// Points that make no convex hull.
     HullError {
         /// Fewer than four corners.

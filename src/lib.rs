@@ -44,7 +44,7 @@
 //! - [`Body`], [`Contact`], [`Material`]: what the kernel works on.
 //! - [`impulse`]: **the kernel**. From [`impulse::effective_mass`] over [`impulse::collision_impulse`] and
 //!   [`impulse::apply_impulse`] to [`impulse::resolve_collision_with_friction`].
-//! - [`Sphere`], [`HalfSpace`], [`Cuboid`], [`Capsule`], [`ConvexHull`], [`HeightField`]: shapes. [`Collide`] finds where two
+//! - [`Sphere`], [`HalfSpace`], [`Cuboid`], [`Capsule`], [`ConvexHull`], [`HeightField`], and a [`Compound`] of several: shapes. [`Collide`] finds where two
 //!   touch, [`Shape`] answers rays and points, [`shapes!`] makes one type of those that a world holds, and [`SweepAndPrune`]
 //!   finds the pairs worth a look. Geometry knows neither velocities nor masses.
 //! - [`solver`]: bodies and manifolds over a step of time, on the caller's own slices; [`solver::Settings`] says how.
@@ -83,28 +83,28 @@ mod query;
 mod scalar;
 mod shape;
 pub mod solver;
-pub mod world;
 pub mod units;
+pub mod world;
 
 pub use aabb::Aabb;
 pub use body::Body;
 pub use broad_phase::{PairSink, Pairs, SweepAndPrune};
 pub use contact::{Contact, Material, RestitutionLaw};
 pub use error::{
-    BodyError, ContactError, DirectionError, HandleError, HeightFieldError, HullError, InsertError, MassError,
-    MaterialError, OrientationError, RangeError, ShapeError, SolidError,
+    BodyError, CompoundError, ContactError, DirectionError, HandleError, HeightFieldError, HullError, InsertError,
+    MassError, MaterialError, OrientationError, RangeError, ShapeError, SolidError,
 };
 pub use hash::StateHash;
 pub use manifold::{FeatureId, Manifold, ManifoldPoint};
-pub use mass::{MassProperties, Solid};
+pub use mass::{Assembly, MassProperties, Solid, SolidPart};
 pub use math::{Block, BlockImpulse, Mat3, Pose, Quat, SymBlock, SymMat3, UnitVec3, Vec3};
 pub use query::{Ray, RayHit, SurfacePoint};
 #[cfg(feature = "fixed")]
 pub use scalar::Scaled32;
 pub use scalar::{Column, Scalar, Scaled, StepArithmetic, Weights};
 pub use shape::{
-    Capsule, Closest, Collide, ConvexHull, Cuboid, HalfSpace, HeightField, MAX_CORNERS, MAX_FACE_CORNERS, ManifoldSink,
-    Shape, Sphere,
+    Capsule, Closest, Collide, Compound, ConvexHull, Cuboid, HalfSpace, HeightField, MAX_CORNERS, MAX_FACE_CORNERS,
+    ManifoldSink, Member, Part, Shape, Sphere,
 };
 pub use world::{BodyHandle, World};
 

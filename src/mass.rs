@@ -4,6 +4,10 @@ use crate::error::{MassError, SolidError};
 use crate::math::{SymMat3, Vec3};
 use crate::scalar::{Scalar, Scaled};
 
+mod assembly;
+
+pub use self::assembly::{Assembly, SolidPart};
+
 /// The geometry of a homogeneous solid, as far as its mass depends on it: its volume (of a thin shell: its area) and its
 /// principal moments of inertia per unit of mass, about the centre of mass and along the local axes.
 ///

@@ -7,13 +7,16 @@
 use crate::manifold::{FeatureId, Manifold, ManifoldPoint};
 use crate::math::{Pose, Vec3};
 use crate::scalar::Scalar;
-use crate::shape::{Capsule, Closest, Collide, ConvexHull, Cuboid, HalfSpace, HeightField, ManifoldSink, Sphere};
+use crate::shape::{
+    Capsule, Closest, Collide, Compound, ConvexHull, Cuboid, HalfSpace, HeightField, ManifoldSink, Member, Sphere,
+};
 
 mod capsule_capsule;
 mod capsule_cuboid;
 mod capsule_half_space;
 mod capsule_hull;
 mod clip;
+mod compound;
 mod cuboid_cuboid;
 mod cuboid_half_space;
 mod cuboid_hull;
@@ -171,6 +174,39 @@ over_field!(['f,] Sphere<S>);
 over_field!(['f,] Cuboid<S>);
 over_field!(['f,] Capsule<S>);
 over_field!(['f, 'a, const N: usize,] &'a ConvexHull<S, N>);
+
+/// A shape that may be in a set, and a compound as the second of the two.
+macro_rules! member {
+    ([$($of:tt)*] $a:ty) => {
+        impl<$($of)* S: Scalar> Member for $a {}
+
+        impl<$($of)* S: Scalar, P: Collide<S, $a>> Collide<S, Compound<'_, S, P>> for $a {
+            #[inline]
+            fn collide<K: ManifoldSink<S>>(
+                &self,
+                pose: &Pose<S>,
+                other: &Compound<'_, S, P>,
+                other_pose: &Pose<S>,
+                margin: S,
+                sink: &mut K,
+            ) {
+                other.collide_as_b(other_pose, (self, pose), margin, sink);
+            }
+
+            #[inline]
+            fn closest(&self, pose: &Pose<S>, other: &Compound<'_, S, P>, other_pose: &Pose<S>) -> Option<Closest<S>> {
+                other.closest(other_pose, self, pose).map(|closest| closest.swapped())
+            }
+        }
+    };
+}
+
+member!([] Sphere<S>);
+member!([] HalfSpace<S>);
+member!([] Cuboid<S>);
+member!([] Capsule<S>);
+member!(['a, const N: usize,] &'a ConvexHull<S, N>);
+member!(['f,] HeightField<'f, S>);
 
 /// A shape where it is.
 type Placed<'a, S, T> = (&'a T, &'a Pose<S>);

@@ -6,11 +6,12 @@
 
 use crate::aabb::Aabb;
 use crate::manifold::Manifold;
-use crate::math::{Pose, UnitVec3, Vec3};
+use crate::math::{Pose, UnitVec3, Vec3, max};
 use crate::query::{Ray, RayHit, SurfacePoint};
 use crate::scalar::Scalar;
 
 mod capsule;
+mod compound;
 mod convex_hull;
 mod cuboid;
 mod half_space;
@@ -19,6 +20,7 @@ mod set;
 mod sphere;
 
 pub use self::capsule::Capsule;
+pub use self::compound::{Compound, Part};
 pub use self::convex_hull::{ConvexHull, MAX_CORNERS, MAX_FACE_CORNERS};
 pub use self::cuboid::Cuboid;
 pub use self::half_space::HalfSpace;
@@ -35,12 +37,22 @@ pub trait Shape<S: Scalar>: Copy {
     /// has no other side.
     fn inner_radius(&self) -> S;
 
+    /// The radius of a ball around the origin of the frame that holds the shape, or somewhat more: what is farther away is not
+    /// looked at. [`Scalar::LARGEST`] for what has no end.
+    #[inline(always)]
+    fn outer_radius(&self) -> S {
+        S::LARGEST
+    }
+
     /// Where a ray meets the shape first.
     fn cast_ray(&self, pose: &Pose<S>, ray: &Ray<S>) -> Option<RayHit<S>>;
 
     /// The point of the surface that is closest to that point of the world. `None` of a height field, beside it.
     fn closest_point(&self, pose: &Pose<S>, point: Vec3<S>) -> Option<SurfacePoint<S>>;
 }
+
+/// A shape that is not a set of shapes: what sets made by [`shapes!`](crate::shapes) meet besides their own kind.
+pub trait Member: Copy {}
 
 /// Where two shapes touch, or are about to. Implemented for every pair of shapes, in both orders, with the same result
 /// mirrored.
@@ -111,4 +123,17 @@ impl<S: Scalar> ManifoldSink<S> for Manifold<S> {
 /// A dimension that a shape can have.
 fn is_positive<S: Scalar>(dimension: S) -> bool {
     dimension.is_finite() && dimension > S::ZERO
+}
+
+/// An upper bound of the length of a vector whose components are not negative, at most 23 % above it: the mean of the sum of the
+/// components and of that plus the largest, without a root.
+#[inline(always)]
+fn at_most<S: Scalar>(v: Vec3<S>) -> S {
+    let largest = max(max(v.x, v.y), v.z);
+    v.x.lowered_by(1)
+        .plus(v.y.lowered_by(1))
+        .plus(v.z.lowered_by(1))
+        .plus(largest.lowered_by(1))
+        .plus(S::STEP)
+        .plus(S::STEP)
 }

@@ -7,6 +7,7 @@ mod scenes;
 mod pinned {
     use super::scenes::impacts::{IMPACTS, Scene};
     use super::scenes::pins;
+    use super::scenes::shapes::meet_all;
     use super::scenes::table::{STEPS, Table};
     use carom::Scalar;
 
@@ -25,6 +26,11 @@ mod pinned {
         }
         assert!(table.ball_impacts > 30 && table.cushion_impacts > 15, "{name}: little happened");
         assert_eq!(pins::billiard_break(name), Some(table.hash()), "{name}: {:#018x}", table.hash());
+
+        let mut met = 0;
+        let hash = meet_all::<S>(&mut |meeting| met += u32::from(meeting.points > 0)).expect("a scene");
+        assert_eq!(met, 10, "{name}: each pair meets");
+        assert_eq!(pins::shapes(name), Some(hash), "{name}: {hash:#018x}");
     }
 
     /// One unit of the last place in one ball is another state.

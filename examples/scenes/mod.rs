@@ -5,4 +5,5 @@
 
 pub mod impacts;
 pub mod pins;
+pub mod shapes;
 pub mod table;

@@ -23,6 +23,16 @@ const BILLIARD_BREAK: Pins = [
     ("micromath", 0x6b88_4f1a_a57b_85d0),
 ];
 
+/// Of the pairs of shapes.
+const SHAPES: Pins = [
+    ("f32", 0x698f_166a_b3c8_de05),
+    ("f64", 0x5b98_6ab7_23c8_ab0e),
+    ("i16f16", 0x0d71_87c3_a4d1_9516),
+    ("i12f20", 0x9f12_8aa3_5587_cd5a),
+    ("i8f24", 0x20ee_5d4b_065a_893b),
+    ("micromath", 0xabfd_157e_53ab_6c8c),
+];
+
 fn pin(pins: &Pins, scalar: &str) -> Option<u64> {
     pins.iter().find(|(name, _)| *name == scalar).map(|(_, hash)| *hash)
 }
@@ -35,4 +45,9 @@ pub fn impacts(scalar: &str) -> Option<u64> {
 /// The hash after the billiard break.
 pub fn billiard_break(scalar: &str) -> Option<u64> {
     pin(&BILLIARD_BREAK, scalar)
+}
+
+/// The hash of the pairs of shapes.
+pub fn shapes(scalar: &str) -> Option<u64> {
+    pin(&SHAPES, scalar)
 }

@@ -69,6 +69,27 @@ impl<S: Scalar> Pose<S> {
     /// A frame that is given in this one, in the world: of a shape that sits somewhere on a body.
     #[must_use]
     pub fn times(&self, local: &Self) -> Self {
-        Self { position: self.to_world(local.position), rotation: self.rotation.times_mat3(&local.rotation) }
+        self.times_at(self.rotate(local.position), local)
+    }
+
+    /// The same, for the way to the frame's origin in the world's axes.
+    #[inline]
+    pub(crate) fn times_at(&self, way: Vec3<S>, local: &Self) -> Self {
+        // Most parts stand straight on their body.
+        let straight = local.rotation == Mat3::IDENTITY;
+        let rotation = if straight { self.rotation } else { self.rotation.times_mat3(&local.rotation) };
+        Self { position: self.position + way, rotation }
+    }
+
+    /// The way back: what is given in the world, in this frame, is `self.inverse().times(..)`.
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        Self { position: -self.unrotate(self.position), rotation: self.rotation.transposed() }
+    }
+
+    /// No component is an infinity or NaN; always true in fixed point.
+    pub fn is_finite(&self) -> bool {
+        let [x, y, z] = self.rotation.rows;
+        self.position.is_finite() && x.is_finite() && y.is_finite() && z.is_finite()
     }
 }

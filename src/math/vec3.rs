@@ -103,6 +103,13 @@ impl<S: Scalar> Vec3<S> {
         Self::new(length.times_unit(d.x), length.times_unit(d.y), length.times_unit(d.z))
     }
 
+    /// Half the vector, in fixed point rounded.
+    #[inline(always)]
+    #[must_use]
+    pub(crate) fn halved(self) -> Self {
+        Self::new(self.x.lowered_by(1), self.y.lowered_by(1), self.z.lowered_by(1))
+    }
+
     /// The magnitudes of the components.
     #[inline(always)]
     #[must_use]

@@ -37,9 +37,13 @@ impl<S: Scalar, const N: usize> Polygon<S, N> {
     }
 
     /// Keeps what lies inside one side of the face (Sutherland and Hodgman, 1974), whose number is `side`.
+    ///
+    /// Where no corner is farther outside than `slack`, all is kept as it is: boxes that stand on each other edge over edge are
+    /// not cut, nor their corners renamed, by the noise in their places.
     #[inline(never)]
-    pub fn cut(&mut self, side: u16, inside: impl Inside<S>) {
-        if self.corners().iter().all(|corner| inside.of(corner.place) >= S::ZERO) {
+    pub fn cut(&mut self, side: u16, inside: impl Inside<S>, slack: S) {
+        let outermost = slack.negated();
+        if self.corners().iter().all(|corner| inside.of(corner.place) >= outermost) {
             return;
         }
         let whole = *self;

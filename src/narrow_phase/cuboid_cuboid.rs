@@ -55,14 +55,14 @@ fn separating_axis<S: Scalar>(
     margin: S,
 ) -> Option<(Axis<S>, S)> {
     let Relative { rotation, in_a, in_b, .. } = relative;
-    let of_a = along_faces(*in_a, a, b, rotation.rows);
-    let (axis, mut best) = largest(of_a);
+    let [x, y, z] = rotation.rows;
+    let sizes = Mat3 { rows: [x.magnitudes(), y.magnitudes(), z.magnitudes()] };
+    let (axis, mut best) = largest(in_a.magnitudes() - a - b.through(sizes.rows));
     let mut kind = Axis::FaceOfA(axis);
     if best > margin {
         return None;
     }
-    let of_b = along_faces(*in_b, b, a, rotation.columns());
-    let (axis, separation) = largest(of_b);
+    let (axis, separation) = largest(in_b.magnitudes() - b - a.through(sizes.columns()));
     if separation > margin {
         return None;
     }
@@ -70,35 +70,54 @@ fn separating_axis<S: Scalar>(
         (kind, best) = (Axis::FaceOfB(axis), separation);
     }
     // Across each pair of edges: with the frames cycled so that the first axes are those of the edges.
-    let [mut first, mut second, mut third] = rotation.rows;
-    let (mut d, mut h) = (*in_a, a);
+    let (mut rows, mut sizes, mut d, mut h) = (rotation.rows, sizes.rows, *in_a, a);
     for i in 0..3 {
-        let mut rows = [first, second, third];
-        let mut half = [h, b];
-        for j in 0..3 {
+        let [x, y, z] = across_edges_at_most(&d, &h, b, &rows, &sizes);
+        for &(j, short) in &[(0, x), (1, y), (2, z)] {
             let bound = if matches!(kind, Axis::Edges(..)) { best } else { best.plus(steady) };
-            if let Some((across, separation)) = across_edges(d, half, rows, bound) {
+            if short <= S::ZERO && short <= bound {
+                continue;
+            }
+            let turned = [cycled(rows[0], j), cycled(rows[1], j), cycled(rows[2], j)];
+            if let Some((across, separation)) = across_edges(d, [h, cycled(b, j)], turned, bound) {
                 if separation > margin {
                     return None;
                 }
                 kind = Axis::Edges(i, j, uncycled(across, i));
                 best = separation;
             }
-            rows = [rows[0].cycled(), rows[1].cycled(), rows[2].cycled()];
-            half = [h, half[1].cycled()];
         }
-        (first, second, third) = (second, third, first);
+        (rows, sizes) = ([rows[1], rows[2], rows[0]], [sizes[1], sizes[2], sizes[0]]);
         (d, h) = (d.cycled(), h.cycled());
     }
     Some((kind, best))
 }
 
-/// The separations along the axes of one box. The rows are these axes in the other's frame.
-#[inline(never)]
-fn along_faces<S: Scalar>(d: Vec3<S>, half: Vec3<S>, other: Vec3<S>, rows: [Vec3<S::Unit>; 3]) -> Vec3<S> {
-    let [x, y, z] = rows;
-    let reach = other.through([x.magnitudes(), y.magnitudes(), z.magnitudes()]);
-    d.magnitudes() - half - reach
+/// The separations across the first edge of A and each of B, where they are negative too small in magnitude. The rows are the
+/// axes of A in B's frame, and their magnitudes.
+///
+/// For edges u and w, u x w has the components 0, -w_z, w_y and is no longer than one; here it is not made a direction, which
+/// would take a root and a division.
+#[inline(always)]
+fn across_edges_at_most<S: Scalar>(
+    d: &Vec3<S>,
+    a: &Vec3<S>,
+    b: Vec3<S>,
+    [_, second, third]: &[Vec3<S::Unit>; 3],
+    [first_size, second_size, third_size]: &[Vec3<S::Unit>; 3],
+) -> [S; 3] {
+    let (nil, zero) = (S::Unit::ZERO, S::ZERO);
+    let short = |y: S::Unit, z: S::Unit, sizes: [S::Unit; 4], b: [S; 2]| {
+        let distance = abs(S::dot3_unit([d.z, d.y, zero], [y, z.negated(), nil]));
+        let reach = S::dot3_unit([a.z, a.y, b[0]], [sizes[0], sizes[1], sizes[2]]).plus(b[1].times_unit(sizes[3]));
+        distance.minus(reach)
+    };
+    let (f, s, t) = (first_size, second_size, third_size);
+    [
+        short(second.x, third.x, [s.x, t.x, f.z, f.y], [b.y, b.z]),
+        short(second.y, third.y, [s.y, t.y, f.x, f.z], [b.z, b.x]),
+        short(second.z, third.z, [s.z, t.z, f.y, f.x], [b.x, b.y]),
+    ]
 }
 
 /// The axis of the largest component, and that.
@@ -115,24 +134,15 @@ fn largest<S: Scalar>(v: Vec3<S>) -> (u8, S) {
 
 /// The separation across the first edge of each box, if it is more than `bound`, and the direction towards B. The rows are the
 /// axes of A in B's frame.
-///
-/// u x w has the components 0, -w_z, w_y. Before it is made a direction, the separation along it is computed too small in
-/// magnitude; where even that is not positive and below the bound, there is neither root nor division.
 #[inline(never)]
 fn across_edges<S: Scalar>(
     d: Vec3<S>,
     [a, b]: [Vec3<S>; 2],
-    [first, second, third]: [Vec3<S::Unit>; 3],
+    [_, second, third]: [Vec3<S::Unit>; 3],
     bound: S,
 ) -> Option<(Vec3<S::Unit>, S)> {
     let (nil, zero) = (S::Unit::ZERO, S::ZERO);
     let (y, z) = (third.x.negated(), second.x);
-    let distance = abs(S::dot3_unit([d.y, d.z, zero], [y, z, nil]));
-    let reach = S::dot3_unit([a.y, a.z, b.y], [abs(y), abs(z), abs(first.z)]).plus(b.z.times_unit(abs(first.y)));
-    let short = distance.minus(reach);
-    if short <= zero && short <= bound {
-        return None;
-    }
     // Parallel edges: the axis is one of a face, or any.
     if S::Unit::dot3([y, z, nil], [y, z, nil]) <= S::Unit::ONE.lowered_by(20) {
         return None;
@@ -231,7 +241,7 @@ impl<S: Scalar> Faces<S> {
         let way = cycled(self.way, self.axis);
         let below = way.x < S::ZERO;
         let (mut polygon, incident) = self.incident(way, half.x, below);
-        clip(&mut polygon, half);
+        clip(&mut polygon, half, steady);
         polygon.name(LABEL_BITS, margin);
         let mut chosen = polygon.four(steady);
         // In the world's axes: the normal, and the plane's axes.
@@ -287,9 +297,9 @@ fn turned<T: Copy>([x, y, z]: [T; 3], first: u8) -> [T; 3] {
 }
 
 /// Leaves the part of the polygon over the rectangle, whose half extents are the second and third.
-fn clip<S: Scalar>(polygon: &mut Polygon<S, 8>, half: Vec3<S>) {
+fn clip<S: Scalar>(polygon: &mut Polygon<S, 8>, half: Vec3<S>, slack: S) {
     for &(label, along_x, negative) in &[(4, true, false), (5, true, true), (6, false, false), (7, false, true)] {
-        polygon.cut(label, Side { along_x, negative, half: if along_x { half.y } else { half.z } });
+        polygon.cut(label, Side { along_x, negative, half: if along_x { half.y } else { half.z } }, slack);
     }
 }
 

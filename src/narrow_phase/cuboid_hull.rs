@@ -11,6 +11,9 @@ pub(super) fn manifold<S: Scalar, const N: usize>(
     margin: S,
     out: &mut Manifold<S>,
 ) {
+    if polytope_polytope::are_apart((cuboid, pose), (hull, hull_pose), margin) {
+        return;
+    }
     let size = polytope_polytope::smaller(cuboid, hull);
     polytope_polytope::manifold((cuboid, pose), (*hull, hull_pose), size, margin, out);
 }

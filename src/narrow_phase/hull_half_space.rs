@@ -17,6 +17,9 @@ pub(super) fn manifold<S: Scalar, const N: usize>(
     out: &mut Manifold<S>,
 ) {
     let (up, height, d) = above(pose, plane);
+    if height.minus(hull.outer_radius()) > margin {
+        return;
+    }
     let local_up = pose.rotation.transposed().times(up);
     // In the plane, and above it.
     let (x, y) = UnitVec3::<S>::from_unit(local_up).tangents();

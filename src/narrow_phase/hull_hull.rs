@@ -11,6 +11,9 @@ pub(super) fn manifold<S: Scalar, const M: usize, const N: usize>(
     margin: S,
     out: &mut Manifold<S>,
 ) {
+    if polytope_polytope::are_apart((a, pose_a), (b, pose_b), margin) {
+        return;
+    }
     let size = polytope_polytope::smaller(a, b);
     if is_first(pose_b.position - pose_a.position) {
         polytope_polytope::manifold((*a, pose_a), (*b, pose_b), size, margin, out);

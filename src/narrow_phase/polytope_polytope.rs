@@ -224,6 +224,7 @@ fn over_face<S: Scalar>(
             polygon.cut(
                 (MAX_FACE_CORNERS as u16).wrapping_add(u16::from(side)).wrapping_sub(1),
                 Side { from, along: [x, y] },
+                steady,
             );
         }
         if next.is_none() {
@@ -261,6 +262,18 @@ fn against<S: Scalar>(polytope: &impl Polytope<S>, direction: Vec3<S::Unit>) -> 
         index = index.wrapping_add(1);
     }
     best.0
+}
+
+/// Whether even the balls around two shapes are farther apart than `margin`.
+#[inline(always)]
+pub(super) fn are_apart<S: Scalar, A: Shape<S>, B: Shape<S>>(
+    (a, pose_a): Placed<'_, S, A>,
+    (b, pose_b): Placed<'_, S, B>,
+    margin: S,
+) -> bool {
+    let way = (pose_b.position - pose_a.position).to_array();
+    let reach = a.outer_radius().plus(b.outer_radius()).plus(margin);
+    S::wide_dot3(way, way) > S::wide_product(reach, reach)
 }
 
 /// The size of the smaller of two shapes.

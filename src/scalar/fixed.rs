@@ -7,7 +7,7 @@ use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30, U31};
 use super::Scalar;
 use super::arm32::{self, Arm32};
 use super::contact32::{Contact32, Impulse32};
-use super::integer::{inverse_root, leading_zeros, round_shift, round_sqrt, wide_quotient};
+use super::integer::{inverse_root, leading_zeros, long_quotient, round_shift, round_sqrt, wide_quotient};
 use super::lever32::{self, Lever32};
 use super::product::{dot, product, unsigned_product};
 use super::scaled32::Scaled32;
@@ -276,7 +276,14 @@ where
         if part >= whole {
             return I2F30::from_bits(1 << 30);
         }
-        I2F30::from_bits(wide_quotient(part, whole, 30).unwrap_or(1 << 30) as i32)
+        // Both moved left until the divisor fills 32 bits: to one unit of the last place, and rounded by what is left.
+        let places = leading_zeros(whole);
+        let (part, whole) = (part.wrapping_shl(places), whole.wrapping_shl(places));
+        let quotient = long_quotient(part, whole);
+        let rest = (u64::from(part) << 30).wrapping_sub(unsigned_product(quotient, whole)) as i64;
+        let (twice, whole) = (rest.wrapping_mul(2), i64::from(whole));
+        let correction = i32::from(twice >= whole).wrapping_sub(i32::from(twice < whole.wrapping_neg()));
+        I2F30::from_bits((quotient as i32).wrapping_add(correction))
     }
 
     #[inline(always)]

@@ -61,6 +61,11 @@ impl<S: Scalar> Shape<S> for Capsule<S> {
         self.radius
     }
 
+    #[inline(always)]
+    fn outer_radius(&self) -> S {
+        self.radius.plus(self.half_length)
+    }
+
     #[inline]
     fn cast_ray(&self, pose: &Pose<S>, ray: &Ray<S>) -> Option<RayHit<S>> {
         query::cast(self, pose, ray)

@@ -30,6 +30,8 @@ pub struct ConvexHull<S: Scalar, const N: usize> {
     corner_count: u8,
     face_count: u8,
     edge_count: u8,
+    /// Of a ball around the origin in the hull, and of one that holds the hull.
+    radii: [S; 2],
 }
 
 /// A face by its plane and its ring of corners.
@@ -99,12 +101,14 @@ impl<S: Scalar, const N: usize> Shape<S> for &ConvexHull<S, N> {
     }
 
     /// Of a ball around the origin of the frame; zero where that is outside.
+    #[inline(always)]
     fn inner_radius(&self) -> S {
-        let mut least = S::LARGEST;
-        for face in self.faces() {
-            least = min(least, face.offset);
-        }
-        max(least, S::ZERO)
+        self.radii[0]
+    }
+
+    #[inline(always)]
+    fn outer_radius(&self) -> S {
+        self.radii[1]
     }
 
     #[inline]

@@ -6,7 +6,7 @@ use crate::mass::Solid;
 use crate::math::{Pose, Vec3, min};
 use crate::query::{self, Ray, RayHit, SurfacePoint};
 use crate::scalar::Scalar;
-use crate::shape::{Shape, is_positive};
+use crate::shape::{Shape, at_most, is_positive};
 
 /// A box around the origin of its frame, its edges along the axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,14 +43,18 @@ impl<S: Scalar> Cuboid<S> {
 impl<S: Scalar> Shape<S> for Cuboid<S> {
     #[inline]
     fn aabb(&self, pose: &Pose<S>) -> Aabb<S> {
-        let [x, y, z] = pose.rotation.rows;
-        Aabb::around(pose.position, self.half_extents.through([x.magnitudes(), y.magnitudes(), z.magnitudes()]))
+        Aabb::of_box(pose.position, self.half_extents, &pose.rotation)
     }
 
     #[inline(always)]
     fn inner_radius(&self) -> S {
         let Vec3 { x, y, z } = self.half_extents;
         min(min(x, y), z)
+    }
+
+    #[inline(always)]
+    fn outer_radius(&self) -> S {
+        at_most(self.half_extents)
     }
 
     #[inline]

@@ -24,6 +24,9 @@ pub struct HeightField<'a, S> {
     spacing: S,
     /// The corner with the smallest x and y.
     corner: [S; 2],
+    /// The height halfway between the lowest and the highest point, and how far these are from it.
+    middle: S,
+    relief: S,
 }
 
 /// A triangle of the surface, counter-clockwise seen from above.
@@ -85,11 +88,18 @@ impl<'a, S: Scalar> HeightField<'a, S> {
         if !is_positive(spacing) || !x.is_finite() || !y.is_finite() || x == S::LARGEST || y == S::LARGEST {
             return Err(HeightFieldError::Spacing);
         }
-        if heights.iter().any(|height| !height.is_finite()) {
-            return Err(HeightFieldError::Height);
+        let (mut highest, mut lowest) = (S::LARGEST.negated(), S::LARGEST);
+        for &height in heights {
+            if !height.is_finite() {
+                return Err(HeightFieldError::Height);
+            }
+            highest = max(highest, height);
+            lowest = min(lowest, height);
         }
         let corner = [x.lowered_by(1).negated(), y.lowered_by(1).negated()];
-        Ok(Self { heights, columns, rows, spacing, corner })
+        let (highest, lowest) = (highest.lowered_by(1), lowest.lowered_by(1));
+        let (middle, relief) = (highest.plus(lowest), highest.minus(lowest).plus(S::STEP));
+        Ok(Self { heights, columns, rows, spacing, corner, middle, relief })
     }
 
     /// A point of the surface, if there is one with these numbers.
@@ -139,20 +149,12 @@ impl<'a, S: Scalar> HeightField<'a, S> {
 }
 
 impl<S: Scalar> Shape<S> for HeightField<'_, S> {
-    /// From the lowest point without end downwards. Reads all heights.
+    /// From the lowest point without end downwards.
     fn aabb(&self, pose: &Pose<S>) -> Aabb<S> {
-        let mut highest = S::LARGEST.negated();
-        let mut lowest = S::LARGEST;
-        for &height in self.heights {
-            highest = max(highest, height);
-            lowest = min(lowest, height);
-        }
         let [x, y] = self.corner;
-        let middle = Vec3::new(S::ZERO, S::ZERO, lowest.lowered_by(1).plus(highest.lowered_by(1)));
-        let half = Vec3::new(x.negated(), y.negated(), highest.lowered_by(1).minus(lowest.lowered_by(1)).plus(S::STEP));
-        let [i, j, k] = pose.rotation.rows;
-        let reach = half.through([i.magnitudes(), j.magnitudes(), k.magnitudes()]);
-        let bounds = Aabb::around(pose.to_world(middle), reach);
+        let middle = Vec3::new(S::ZERO, S::ZERO, self.middle);
+        let half = Vec3::new(x.negated(), y.negated(), self.relief);
+        let bounds = Aabb::of_box(pose.to_world(middle), half, &pose.rotation);
         // What lies below the surface reaches down, whichever way that is.
         let far = S::LARGEST;
         let down = pose.rotation.columns()[2];

@@ -42,6 +42,7 @@ macro_rules! shapes {
         }
 
         $crate::shapes!(@from [$($life)*] $name $s $({ $variant $shape })+);
+        $crate::shapes!(@members [$($life)*] $name $s $({ $variant $shape })+);
 
         impl<$($life,)* $s: $crate::Scalar> $crate::Shape<$s> for $name<$($life,)* $s> {
             fn aabb(&self, pose: &$crate::Pose<$s>) -> $crate::Aabb<$s> {
@@ -50,6 +51,10 @@ macro_rules! shapes {
 
             fn inner_radius(&self) -> $s {
                 match self { $(Self::$variant(shape) => $crate::Shape::<$s>::inner_radius(shape),)+ }
+            }
+
+            fn outer_radius(&self) -> $s {
+                match self { $(Self::$variant(shape) => $crate::Shape::<$s>::outer_radius(shape),)+ }
             }
 
             fn cast_ray(&self, pose: &$crate::Pose<$s>, ray: &$crate::Ray<$s>) -> Option<$crate::RayHit<$s>> {
@@ -124,6 +129,36 @@ macro_rules! shapes {
 
             fn overlaps(&self, pose: &$crate::Pose<$s>, other: &Self, other_pose: &$crate::Pose<$s>) -> bool {
                 match self { $(Self::$variant(shape) => other.is_met(other_pose, (shape, pose)),)+ }
+            }
+        }
+    };
+    (@members [$($life:lifetime)*] $name:ident $s:ident $({ $variant:ident $shape:ty })+) => {
+        impl<$($life,)* $s: $crate::Scalar, Other: $crate::Member> $crate::Collide<$s, Other> for $name<$($life,)* $s>
+        where
+            $($shape: $crate::Collide<$s, Other>),+
+        {
+            fn collide<Sink: $crate::ManifoldSink<$s>>(
+                &self,
+                pose: &$crate::Pose<$s>,
+                other: &Other,
+                other_pose: &$crate::Pose<$s>,
+                margin: $s,
+                sink: &mut Sink,
+            ) {
+                match self { $(Self::$variant(shape) => shape.collide(pose, other, other_pose, margin, sink),)+ }
+            }
+
+            fn closest(
+                &self,
+                pose: &$crate::Pose<$s>,
+                other: &Other,
+                other_pose: &$crate::Pose<$s>,
+            ) -> Option<$crate::Closest<$s>> {
+                match self { $(Self::$variant(shape) => shape.closest(pose, other, other_pose),)+ }
+            }
+
+            fn overlaps(&self, pose: &$crate::Pose<$s>, other: &Other, other_pose: &$crate::Pose<$s>) -> bool {
+                match self { $(Self::$variant(shape) => shape.overlaps(pose, other, other_pose),)+ }
             }
         }
     };

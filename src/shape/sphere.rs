@@ -52,6 +52,11 @@ impl<S: Scalar> Shape<S> for Sphere<S> {
         self.radius
     }
 
+    #[inline(always)]
+    fn outer_radius(&self) -> S {
+        self.radius
+    }
+
     #[inline]
     fn cast_ray(&self, pose: &Pose<S>, ray: &Ray<S>) -> Option<RayHit<S>> {
         query::cast(self, pose, ray)

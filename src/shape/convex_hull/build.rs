@@ -2,8 +2,9 @@
 
 use super::{ConvexHull, Edge, Face, MAX_CORNERS, MAX_FACE_CORNERS};
 use crate::error::HullError;
-use crate::math::{Vec3, abs, max};
+use crate::math::{Vec3, abs, max, min};
 use crate::scalar::Scalar;
+use crate::shape::at_most;
 
 /// Points lie in a plane to within this share of the hull's size, as a power of two.
 const FLAT: u32 = 11;
@@ -59,6 +60,7 @@ fn attempt<S: Scalar, const N: usize>(points: &[Vec3<S>]) -> Result<ConvexHull<S
         corner_count: points.len() as u8,
         face_count: 0,
         edge_count: 0,
+        radii: [S::ZERO; 2],
     };
     hull.corners.iter_mut().zip(points).for_each(|(corner, point)| *corner = *point);
     let tolerance = size(points).lowered_by(FLAT);
@@ -86,7 +88,20 @@ fn attempt<S: Scalar, const N: usize>(points: &[Vec3<S>]) -> Result<ConvexHull<S
         }
     }
     add_edges(&mut hull)?;
+    hull.radii = radii(&hull);
     Ok(hull)
+}
+
+/// Of balls around the origin: of one in the hull, zero where that is outside, and of one that holds it.
+fn radii<S: Scalar, const N: usize>(hull: &ConvexHull<S, N>) -> [S; 2] {
+    let (mut inner, mut outer) = (S::LARGEST, S::ZERO);
+    for face in hull.faces() {
+        inner = min(inner, face.offset);
+    }
+    for corner in hull.corners() {
+        outer = max(outer, at_most(corner.magnitudes()));
+    }
+    [max(inner, S::ZERO), outer]
 }
 
 /// The largest extent along an axis.
