@@ -110,6 +110,7 @@ macro_rules! float_step {
                 inv_mass: $float,
                 weights: &Weights<$float>,
                 (): (),
+                _: bool,
                 [normal, first, second]: [&mut Column<$float>; 3],
             ) {
                 let column = |arm: Vec3<$float>, turn: Vec3<$float>, inv_k: $float| Column::<$float> {

@@ -91,12 +91,14 @@ pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 's
     ) -> Self::Levers;
     /// What the levers and inverse masses of the bodies, one or two, come to along a normal and two tangents.
     fn weights(sides: [Option<(&Self::Levers, S::Scaled)>; 2], friction: S) -> Weights<S>;
-    /// Writes the columns of a body with that inverse mass and size, for the normal and the tangents.
+    /// Writes the columns of a body with that inverse mass and size, for the normal and the tangents; of the normal only the
+    /// share where it is `central`.
     fn columns(
         levers: &Self::Levers,
         inv_mass: S::Scaled,
         weights: &Weights<S>,
         size: Self::Places,
+        central: bool,
         columns: [&mut Column<S>; 3],
     );
 

@@ -205,9 +205,14 @@ where
     let down = (60 - TURN as i32).wrapping_sub(turn_exponent).wrapping_sub(k.exponent()).wrapping_sub(size);
     let near = |x| round::<30>(product(x, k.mantissa()));
     let turn = fitted3::<30>([near(turn[0]), near(turn[1]), near(turn[2])], down.wrapping_sub(30));
+    Column { arm: unit_vector(arm), turn: unit_vector(turn), share: share(m, k) }
+}
+
+/// The product of an inverse mass and an inverse K.
+#[inline(always)]
+fn share(m: Scaled32, k: Scaled32) -> I2F30 {
     let down = 0i32.wrapping_sub(m.exponent()).wrapping_sub(k.exponent());
-    let share = fitted::<30>(round::<30>(product(m.mantissa(), k.mantissa())), down);
-    Column { arm: unit_vector(arm), turn: unit_vector(turn), share: I2F30::from_bits(share) }
+    I2F30::from_bits(fitted::<30>(round::<30>(product(m.mantissa(), k.mantissa())), down))
 }
 
 /// `2^exponent / k` for `k > 0`.
@@ -434,11 +439,16 @@ where
         inv_mass: Scaled32,
         weights: &Weights<FixedI32<Frac>>,
         size: i32,
+        central: bool,
         [normal, first, second]: [&mut Column<FixedI32<Frac>>; 3],
     ) {
         let ([n, x, y], [turn_n, turn_x, turn_y]) = (levers.arms, levers.turns);
         let exponents = [levers.arm_exponent, levers.turn_exponent];
-        *normal = column(n, turn_n, exponents, inv_mass, weights.inv_normal, size);
+        if central {
+            *normal = Column { share: share(inv_mass, weights.inv_normal), ..Column::NONE };
+        } else {
+            *normal = column(n, turn_n, exponents, inv_mass, weights.inv_normal, size);
+        }
         *first = column(x, turn_x, exponents, inv_mass, weights.inv_tangent, size);
         *second = column(y, turn_y, exponents, inv_mass, weights.inv_tangent, size);
     }
