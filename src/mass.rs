@@ -224,6 +224,10 @@ impl<S: Scalar> MassProperties<S> {
     /// the largest principal moment to the smallest and a precision u of 2^-29 in fixed point, 2^-23 in f32 and 2^-52 in
     /// f64, whatever the size of the tensor.
     ///
+    /// With products of inertia (entries off the diagonal) contacts are exact, but the solver leaves the gyroscopic torque out:
+    /// a body that flies freely keeps its angular velocity, not its angular momentum. Give the body its principal axes as its
+    /// frame, and [`from_inverses`](Self::from_inverses) or a diagonal tensor, where that matters.
+    ///
     /// # Errors
     /// [`MassError`]: the mass is not positive and finite, the tensor not finite and positive definite, or a principal
     /// moment exceeds the sum of the other two by more than one part in 2^12.

@@ -110,18 +110,18 @@ macro_rules! float_step {
                 inv_mass: $float,
                 weights: &Weights<$float>,
                 (): (),
-            ) -> [Column<$float>; 3] {
+                _: bool,
+                [normal, first, second]: [&mut Column<$float>; 3],
+            ) {
                 let column = |arm: Vec3<$float>, turn: Vec3<$float>, inv_k: $float| Column::<$float> {
                     arm,
                     turn: turn * inv_k,
                     share: inv_mass * inv_k,
                 };
                 let ([n, x, y], [turn_n, turn_x, turn_y]) = (levers.arms, levers.turns);
-                [
-                    column(n, turn_n, weights.inv_normal),
-                    column(x, turn_x, weights.inv_tangent),
-                    column(y, turn_y, weights.inv_tangent),
-                ]
+                *normal = column(n, turn_n, weights.inv_normal);
+                *first = column(x, turn_x, weights.inv_tangent);
+                *second = column(y, turn_y, weights.inv_tangent);
             }
 
             #[inline(always)]

@@ -91,8 +91,16 @@ pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 's
     ) -> Self::Levers;
     /// What the levers and inverse masses of the bodies, one or two, come to along a normal and two tangents.
     fn weights(sides: [Option<(&Self::Levers, S::Scaled)>; 2], friction: S) -> Weights<S>;
-    /// The columns of a body with that inverse mass and size, for the normal and the tangents.
-    fn columns(levers: &Self::Levers, inv_mass: S::Scaled, weights: &Weights<S>, size: Self::Places) -> [Column<S>; 3];
+    /// Writes the columns of a body with that inverse mass and size, for the normal and the tangents; of the normal only the
+    /// share where it is `central`.
+    fn columns(
+        levers: &Self::Levers,
+        inv_mass: S::Scaled,
+        weights: &Weights<S>,
+        size: Self::Places,
+        central: bool,
+        columns: [&mut Column<S>; 3],
+    );
 
     /// A direction as rows have it.
     fn direction(d: &Vec3<S::Unit>) -> Vec3<S::Unit>;

@@ -40,6 +40,8 @@ const TURN: u32 = 26;
 const LARGE: i32 = 1 << 26;
 /// Fraction bits of a ratio.
 const RATIO: u32 = 20;
+/// Beyond the range of every result.
+const FAR: i64 = 1 << 62;
 /// The size of a body in powers of two, at either end.
 const LARGEST: i32 = 14;
 /// What is stored of a velocity beyond its format.
@@ -51,11 +53,10 @@ fn round<const K: u32>(x: i64) -> i32 {
     narrow::<K>(x.wrapping_add(1 << (K - 1)))
 }
 
-/// `x / 2^K` rounded and clipped.
+/// `x / 2^K` rounded and clipped, for `|x|` below 2^63 - 2^K.
 #[inline(always)]
 fn near<const K: u32>(x: i64) -> i32 {
-    // The sum leaves 64 bits only where the result leaves 32.
-    let rounded = x.saturating_add(1 << (K - 1)) >> K;
+    let rounded = x.wrapping_add(1 << (K - 1)) >> K;
     if rounded as i32 as i64 == rounded { rounded as i32 } else { end(rounded) }
 }
 
@@ -143,12 +144,33 @@ fn apply_large<F: LeEqU32>(
     add(w, [turned(turn[0]), turned(turn[1]), turned(turn[2])]);
 }
 
+#[cold]
+#[inline(never)]
+fn thrust_large<F: LeEqU32>(v: &mut Vec3<FixedI32<F>>, d: [i32; 3], share: i32, impulse: i32) {
+    let share = near::<30>(product(share, impulse));
+    add(v, [near::<ARM>(product(d[0], share)), near::<ARM>(product(d[1], share)), near::<ARM>(product(d[2], share))]);
+}
+
+/// A vector `x / 2^down` rounded, within +-2^PLACES, for any `down` and components up to 2^30.
+#[inline(always)]
+fn fitted3<const PLACES: u32>(v: [i32; 3], down: i32) -> [i32; 3] {
+    if down >= 1 {
+        return [rounded_down(v[0], down), rounded_down(v[1], down), rounded_down(v[2], down)];
+    }
+    let up = down.wrapping_neg() as u32;
+    if up <= 30 && magnitude(v).wrapping_shr((PLACES - 1).saturating_sub(up)) <= 1 {
+        return [v[0].wrapping_shl(up), v[1].wrapping_shl(up), v[2].wrapping_shl(up)];
+    }
+    [raised::<PLACES>(v[0], up), raised::<PLACES>(v[1], up), raised::<PLACES>(v[2], up)]
+}
+
 /// `x / 2^down` rounded, within +-2^PLACES, for any `down` and `|x|` up to 2^30.
 #[inline(always)]
 fn fitted<const PLACES: u32>(x: i32, down: i32) -> i32 {
     if down >= 1 { rounded_down(x, down) } else { raised::<PLACES>(x, down.wrapping_neg() as u32) }
 }
 
+#[cold]
 #[inline(never)]
 fn raised<const PLACES: u32>(x: i32, up: u32) -> i32 {
     let end = 1i32 << PLACES;
@@ -178,16 +200,19 @@ where
     FixedI32<F>: super::Scalar<Unit = I2F30>,
 {
     let down = size.wrapping_sub(arm_exponent).wrapping_add(30 - ARM as i32);
-    let near = |x| fitted::<{ ARM + 1 }>(x, down);
-    let arm = [near(arm[0]), near(arm[1]), near(arm[2])];
+    let arm = fitted3::<{ ARM + 1 }>(arm, down);
     // Products below 2^59.8, of which 30 places go first.
     let down = (60 - TURN as i32).wrapping_sub(turn_exponent).wrapping_sub(k.exponent()).wrapping_sub(size);
-    let down = down.wrapping_sub(30);
-    let near = |x| fitted::<30>(round::<30>(product(x, k.mantissa())), down);
-    let turn = [near(turn[0]), near(turn[1]), near(turn[2])];
+    let near = |x| round::<30>(product(x, k.mantissa()));
+    let turn = fitted3::<30>([near(turn[0]), near(turn[1]), near(turn[2])], down.wrapping_sub(30));
+    Column { arm: unit_vector(arm), turn: unit_vector(turn), share: share(m, k) }
+}
+
+/// The product of an inverse mass and an inverse K.
+#[inline(always)]
+fn share(m: Scaled32, k: Scaled32) -> I2F30 {
     let down = 0i32.wrapping_sub(m.exponent()).wrapping_sub(k.exponent());
-    let share = fitted::<30>(round::<30>(product(m.mantissa(), k.mantissa())), down);
-    Column { arm: unit_vector(arm), turn: unit_vector(turn), share: I2F30::from_bits(share) }
+    I2F30::from_bits(fitted::<30>(round::<30>(product(m.mantissa(), k.mantissa())), down))
 }
 
 /// `2^exponent / k` for `k > 0`.
@@ -414,14 +439,18 @@ where
         inv_mass: Scaled32,
         weights: &Weights<FixedI32<Frac>>,
         size: i32,
-    ) -> [Column<FixedI32<Frac>>; 3] {
+        central: bool,
+        [normal, first, second]: [&mut Column<FixedI32<Frac>>; 3],
+    ) {
         let ([n, x, y], [turn_n, turn_x, turn_y]) = (levers.arms, levers.turns);
         let exponents = [levers.arm_exponent, levers.turn_exponent];
-        [
-            column(n, turn_n, exponents, inv_mass, weights.inv_normal, size),
-            column(x, turn_x, exponents, inv_mass, weights.inv_tangent, size),
-            column(y, turn_y, exponents, inv_mass, weights.inv_tangent, size),
-        ]
+        if central {
+            *normal = Column { share: share(inv_mass, weights.inv_normal), ..Column::NONE };
+        } else {
+            *normal = column(n, turn_n, exponents, inv_mass, weights.inv_normal, size);
+        }
+        *first = column(x, turn_x, exponents, inv_mass, weights.inv_tangent, size);
+        *second = column(y, turn_y, exponents, inv_mass, weights.inv_tangent, size);
     }
 
     #[inline(always)]
@@ -498,12 +527,13 @@ where
 
     #[inline(always)]
     fn thrust(v: &mut Vec3<FixedI32<Frac>>, d: &Vec3<I2F30>, share: I2F30, impulse: FixedI32<Frac>) {
-        let share = near::<30>(product(share.to_bits(), impulse.to_bits()));
-        let d = bits(d);
-        add(
-            v,
-            [near::<ARM>(product(d[0], share)), near::<ARM>(product(d[1], share)), near::<ARM>(product(d[2], share))],
-        );
+        let (d, impulse) = (bits(d), impulse.to_bits());
+        if impulse.wrapping_add(LARGE) as u32 >= 2 * LARGE as u32 {
+            return thrust_large(v, d, share.to_bits(), impulse);
+        }
+        let share = round::<30>(product(share.to_bits(), impulse));
+        let along = |d| round::<ARM>(product(d, share));
+        add(v, [along(d[0]), along(d[1]), along(d[2])]);
     }
 
     #[inline(always)]
@@ -562,7 +592,8 @@ where
             return v;
         }
         let v = [v[0].to_bits(), v[1].to_bits()];
-        [FixedI32::from_bits(near::<RATIO>(dot2([xx, xy], v))), FixedI32::from_bits(near::<RATIO>(dot2([xy, yy], v)))]
+        let row = |x, y| FixedI32::from_bits(near::<RATIO>(dot2([x, y], v).clamp(-FAR, FAR)));
+        [row(xx, xy), row(xy, yy)]
     }
 
     #[inline(always)]

@@ -74,6 +74,9 @@ pub(super) fn store<S: Scalar>(
     let (z, clipped_z) = S::Step::travel(place.z, moved.z, h, places, rest_z);
     body.position = Vec3::new(x, y, z);
     let saturated = clipped_x | clipped_y | clipped_z;
+    if motion.isotropic && motion.sum.w == Vec3::ZERO {
+        return saturated | store_velocity(body, motion, places);
+    }
     if motion.isotropic {
         body.set_orientation_alone(turn(body.orientation(), motion.sum.w, h, turn_places));
     } else {

@@ -5,7 +5,7 @@ use super::warm_start::Kept;
 use crate::body::Body;
 use crate::manifold::ManifoldPoint;
 use crate::math::{UnitVec3, Vec3};
-use crate::scalar::{Column, Scalar, StepArithmetic};
+use crate::scalar::{Scalar, StepArithmetic};
 
 type Places<S> = <<S as Scalar>::Step as StepArithmetic<S>>::Places;
 
@@ -47,15 +47,13 @@ impl<S: Scalar> Frame<'_, S> {
             _ => None,
         };
         let weights = S::Step::weights([side_a, Some((&levers_b, body_b.inv_mass))], self.friction);
-        let [normal_b, x_b, y_b] = S::Step::columns(&levers_b, body_b.inv_mass, &weights, size_b);
-        let [normal_a, x_a, y_a] = match (&self.a, &levers_a) {
-            (Some((body, size)), Some(levers)) => S::Step::columns(levers, body.inv_mass, &weights, *size),
-            _ => [Column::NONE; 3],
-        };
         let central_a = levers_a.as_ref().is_none_or(|levers| S::Step::is_central(levers, r[0]));
         slot.central = central_a && S::Step::is_central(&levers_b, r[1]);
-        slot.normal = [normal_a, normal_b];
-        slot.tangents = [[x_a, x_b], [y_a, y_b]];
+        let ([normal_a, normal_b], [[x_a, x_b], [y_a, y_b]]) = (&mut slot.normal, &mut slot.tangents);
+        S::Step::columns(&levers_b, body_b.inv_mass, &weights, size_b, slot.central, [normal_b, x_b, y_b]);
+        if let (Some((body, size)), Some(levers)) = (&self.a, &levers_a) {
+            S::Step::columns(levers, body.inv_mass, &weights, *size, slot.central, [normal_a, x_a, y_a]);
+        }
         slot.block = weights.block;
         slot.friction = weights.friction;
         slot.gap = S::Step::gap(point.separation, self.inv_h, self.places);

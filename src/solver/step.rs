@@ -52,6 +52,8 @@ pub struct Constraints<'a, S: Scalar> {
     points: usize,
     places: Places<S>,
     fall: Vec3<S>,
+    /// A manifold has points that rebound.
+    bounces: bool,
 }
 
 /// What a step has to say.
@@ -94,7 +96,7 @@ impl<'a, S: Scalar> Step<'a, S> {
             }
         }
         let fall = Vec3::new(gain(g.x, places), gain(g.y, places), gain(g.z, places));
-        let constraints = Constraints { bodies, buffers, manifolds: 0, points: 0, places, fall };
+        let constraints = Constraints { bodies, buffers, manifolds: 0, points: 0, places, fall, bounces: false };
         Self { constraints, settings: *settings, report }
     }
 
@@ -125,7 +127,7 @@ impl<'a, S: Scalar> Step<'a, S> {
         material: &Material<S>,
         warm: &[WarmStart<S>],
     ) -> bool {
-        let Constraints { bodies, buffers, manifolds, points, places, .. } = &mut self.constraints;
+        let Constraints { bodies, buffers, manifolds, points, places, bounces, .. } = &mut self.constraints;
         let find = |i: u16| {
             let body = bodies.get(usize::from(i))?;
             buffers.motions.get(usize::from(i)).map(|motion| (body, motion.size, motion.part))
@@ -141,6 +143,7 @@ impl<'a, S: Scalar> Step<'a, S> {
         if count == 0 || a == b || !(a_moves || b_moves) {
             return true;
         }
+        let Ok(first) = u16::try_from(*points) else { return false };
         let free = buffers.points.get_mut(*points..points.wrapping_add(count));
         let (Some(slots), Some(slot)) = (free, buffers.manifolds.get_mut(*manifolds)) else { return false };
         // The second body is one that moves.
@@ -168,17 +171,18 @@ impl<'a, S: Scalar> Step<'a, S> {
             let r = if swapped { [&point.r_b, &point.r_a] } else { [&point.r_a, &point.r_b] };
             frame.prepare(slot, point, r, &mut kept);
         }
-        *slot = ManifoldConstraint {
-            a: (a_moves && b_moves).then_some(a),
-            b: if swapped { a } else { b },
-            first: *points as u16,
-            points: count as u8,
-            hard: !(a_moves && b_moves),
-            bounces: material.restitution() > S::ZERO,
-            normal: S::Step::direction(&normal.get()),
-            tangents: [S::Step::direction(&tangents[0].get()), S::Step::direction(&tangents[1].get())],
-            restitution: S::Unit::from_scaled(material.restitution().to_scaled()).0,
-        };
+        slot.a = (a_moves && b_moves).then_some(a);
+        slot.b = if swapped { a } else { b };
+        slot.first = first;
+        slot.points = count as u8;
+        slot.hard = !(a_moves && b_moves);
+        slot.normal = S::Step::direction(&normal.get());
+        slot.tangents = [S::Step::direction(&tangents[0].get()), S::Step::direction(&tangents[1].get())];
+        slot.bounces = material.restitution() > S::ZERO;
+        if slot.bounces {
+            slot.restitution = S::Unit::from_scaled(material.restitution().to_scaled()).0;
+            *bounces = true;
+        }
         *manifolds = manifolds.wrapping_add(1);
         *points = points.wrapping_add(count);
         true
@@ -258,6 +262,9 @@ impl<S: Scalar> Constraints<'_, S> {
     }
 
     fn note_approaches(&mut self) {
+        if !self.bounces {
+            return;
+        }
         let Buffers { motions, manifolds, points } = &mut self.buffers;
         for manifold in manifolds.iter().take(self.manifolds) {
             if !manifold.bounces {
@@ -329,6 +336,9 @@ impl<S: Scalar> Constraints<'_, S> {
     }
 
     fn apply_restitution(&mut self) {
+        if !self.bounces {
+            return;
+        }
         let threshold = self.fall.length();
         let Buffers { motions, manifolds, points } = &mut self.buffers;
         for manifold in manifolds.iter().take(self.manifolds) {
