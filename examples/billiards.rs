@@ -1,4 +1,4 @@
-//! A nine-ball break in a world: the cue ball slides, rolls, scatters the rack; balls run off the cushions and roll out.
+//! A break of six balls in a world: the cue ball slides, rolls, scatters the rack; balls run off the cushions and roll out.
 //!
 //! Prints the table before and after, blows, energy, how many balls roll without slipping, and the state hash.
 //! `billiard_break` plays one with the impulse kernel alone.
@@ -37,7 +37,7 @@ impl Job for Break {
             if step % (STEPS / 8) == 0 {
                 let ms = step.wrapping_mul(1000) / u32::from(RATE);
                 let (energy, rolling) = (billiards.energy().milli(), billiards.rolling());
-                board::println!("  {ms:4} ms: {energy:4} thousandths of the energy, {rolling:2} balls roll or rest");
+                board::println!("  {ms:4} ms: {energy:4} thousandths of the energy, {rolling} balls roll or rest");
             }
         }
         print_table(&billiards);
@@ -55,7 +55,7 @@ impl Job for Break {
 fn print_table<S: Number>(billiards: &Billiards<S>) {
     let mut picture = Picture::<64, 16>::new();
     let [across, up] = HALF.map(|half| [-half, half]);
-    for (body, symbol) in billiards.balls().zip(*b"o123456789") {
+    for (body, symbol) in billiards.balls().zip(*b"o123456") {
         picture.put([body.position.x.milli(), body.position.y.milli()], [across, up], symbol);
     }
     picture.print();

@@ -1,4 +1,4 @@
-//! Three dice are thrown, tumble, come to rest, and are read. `--seed N` throws others.
+//! Two dice are thrown, tumble, come to rest, and are read. `--seed N` throws others.
 //!
 //! Prints frames from the side, the faces and the state hash. Every number is the same on every machine.
 #![cfg_attr(target_os = "none", no_std, no_main)]

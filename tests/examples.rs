@@ -35,12 +35,12 @@ fn ratio<S: Scalar>(numerator: i32, denominator: i32) -> S {
     S::from_ratio(numerator, denominator).expect("a number within the format")
 }
 
-/// Two thousand throws of three dice: chi-square over the six faces stays below what fair dice exceed once in a thousand
+/// Three thousand throws of two dice: chi-square over the six faces stays below what fair dice exceed once in a thousand
 /// times, and a die that shows a face twice as often as another would be far above.
 fn fair_dice<S: Scalar>() {
     let mut world = dice::Room::<S>::new();
     let (mut counts, mut leaning, mut restless) = ([0u32; 6], 0, 0);
-    for seed in 1..=2000 {
+    for seed in 1..=3000 {
         let mut throw = dice::Throw::new(&mut world, seed).expect("a throw");
         let lie = (0..dice::STEPS).any(|_| !throw.step());
         restless += u32::from(!lie);
@@ -106,8 +106,8 @@ fn balls_roll<S: Scalar>() {
         before = energy;
     }
     assert_eq!((table.dropped, table.saturated), (0, false));
-    assert!(table.ball_impacts >= 12 && table.cushion_impacts >= 5, "little happened");
-    assert!(table.rolling() >= 9, "{} balls roll", table.rolling());
+    assert!(table.ball_impacts >= 8 && table.cushion_impacts >= 4, "little happened");
+    assert!(table.rolling() >= billiards::BALLS - 1, "{} balls roll", table.rolling());
     let [x, y] = billiards::HALF.map(|half| ratio::<S>(half, 1000));
     for body in table.balls() {
         let at = body.position;

@@ -1,20 +1,20 @@
-//! Nine-ball: a break on a table of 2.54 m by 1.27 m, with a cloth on which balls slide and roll, and cushions.
+//! A break of six balls on a table of 2.54 m by 1.27 m, with a cloth on which balls slide and roll, and cushions.
 //!
 //! What the cloth takes from rolling balls is a damping of both their motions, the same for both, so that they go on rolling.
 
 use carom::solver::Settings;
 use carom::world::WorldReport;
-use carom::{Body, BodyHandle, Cuboid, HalfSpace, Scalar, Scaled, UnitVec3, Vec3, World};
+use carom::{Body, BodyHandle, HalfSpace, Scalar, Scaled, UnitVec3, Vec3, World};
 
 use super::make::{ball, material, milli, settings, square, vector};
 
 carom::shapes! {
-    /// A ball, a cushion, the cloth.
-    pub enum Piece<S> { Sphere, Cuboid, HalfSpace }
+    /// A ball; the cloth or a cushion.
+    pub enum Piece<S> { Sphere, HalfSpace }
 }
 
 /// The cue ball first.
-pub const BALLS: usize = 10;
+pub const BALLS: usize = 7;
 /// Half the length and width between the cushions, in thousandths of a decimetre.
 pub const HALF: [i32; 2] = [12_700, 6_350];
 /// Four seconds.
@@ -24,13 +24,11 @@ pub const STEPS: u32 = 960;
 /// The radius of a ball in millionths of a decimetre: 57.15 mm across. Between balls of the rack is a gap of 1 mm.
 const RADIUS: i32 = 285_750;
 const PITCH: i32 = 2 * RADIUS + 10_000;
-/// Half the thickness and height of a cushion, thousandths.
-const CUSHION: i32 = 500;
 /// The break, in thousandths of dm/s.
 const SPEED: i32 = 60_000;
 
 /// Room for the balls, the cloth and the cushions, for each ball on the cloth and as many blows at a time.
-pub type Room<S> = World<S, Piece<S>, { BALLS + 5 }, 18, 18>;
+pub type Room<S> = World<S, Piece<S>, { BALLS + 5 }, 13, 13>;
 
 pub struct Billiards<'w, S: Scalar> {
     world: &'w mut Room<S>,
@@ -44,10 +42,10 @@ pub struct Billiards<'w, S: Scalar> {
     pub cushion_impacts: u32,
 }
 
-/// Where ball number `index` stands, in millionths: the cue ball, then the diamond of nine.
+/// Where ball number `index` stands, in millionths: the cue ball, then the triangle of six.
 fn place(index: i32) -> Option<[i32; 2]> {
-    // Rows of the diamond have 1, 2, 3, 2, 1 balls, sqrt(3)/2 = 0.8660 of the pitch apart.
-    let rows = [1, 2, 3, 2, 1];
+    // Rows of the triangle have 1, 2, 3 balls, sqrt(3)/2 = 0.8660 of the pitch apart.
+    let rows = [1, 2, 3];
     if index == 0 {
         return Some([-6_350_000, 20_000]);
     }
@@ -69,15 +67,13 @@ impl<'w, S: Scalar> Billiards<'w, S> {
         world.clear();
         world.insert(Body::immovable(), HalfSpace::new(UnitVec3::Z), surface).ok()?;
         let [length, width] = HALF;
-        for (centre, half) in [
-            ([-length - CUSHION, 0], [CUSHION, width + 2 * CUSHION]),
-            ([length + CUSHION, 0], [CUSHION, width + 2 * CUSHION]),
-            ([0, -width - CUSHION], [length, CUSHION]),
-            ([0, width + CUSHION], [length, CUSHION]),
+        for (at, inwards) in [
+            ([-length, 0, 0], UnitVec3::X),
+            ([length, 0, 0], -UnitVec3::X),
+            ([0, -width, 0], UnitVec3::Y),
+            ([0, width, 0], -UnitVec3::Y),
         ] {
-            let cushion = Cuboid::new(vector([half[0], half[1], CUSHION])?).ok()?;
-            let body = Body::immovable().at(vector([centre[0], centre[1], CUSHION])?);
-            world.insert(body, cushion, surface).ok()?;
+            world.insert(Body::immovable().at(vector(at)?), HalfSpace::new(inwards), surface).ok()?;
         }
         let mut balls = [None; BALLS];
         for (index, slot) in (0i32..).zip(&mut balls) {

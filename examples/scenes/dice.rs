@@ -1,4 +1,4 @@
-//! Three dice of 16 mm on a table: thrown from a seed, they roll until they sleep.
+//! Two dice of 16 mm on a table: thrown from a seed, they roll until they sleep.
 
 use carom::solver::Settings;
 use carom::world::WorldReport;
@@ -13,7 +13,7 @@ carom::shapes! {
 }
 
 /// Dice in a throw.
-pub const DICE: usize = 3;
+pub const DICE: usize = 2;
 /// Steps in a second, and the most that a throw is given: five seconds.
 pub const RATE: u16 = 120;
 pub const STEPS: u32 = 600;
@@ -21,8 +21,8 @@ pub const STEPS: u32 = 600;
 /// Half an edge, in thousandths of a decimetre.
 const HALF: i32 = 80;
 
-/// Room for the table and the dice, for each on the table and every two of them against each other.
-pub type Room<S> = World<S, Piece<S>, { DICE + 1 }, 6, 24>;
+/// Room for the table and the dice, for each on the table and one against the other.
+pub type Room<S> = World<S, Piece<S>, { DICE + 1 }, 3, 12>;
 
 /// A throw.
 pub struct Throw<'w, S: Scalar> {
@@ -47,7 +47,7 @@ impl<'w, S: Scalar> Throw<'w, S> {
         let mut dice = [None; DICE];
         for (index, die) in (0i32..).zip(&mut dice) {
             let (mut body, shape) = cube::<S>(HALF)?;
-            body.position = vector([random.integer(-3200, -2800), 500 * index - 500, 1200])?;
+            body.position = vector([random.integer(-3200, -2800), 500 * index - 250, 1200])?;
             body.linear_velocity = vector([random.integer(9_000, 15_000), random.integer(-2_000, 2_000), 0])?;
             body.angular_velocity = random.vector(-20 * 1024, 20 * 1024);
             body.set_orientation(random.fair_orientation());

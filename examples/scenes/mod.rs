@@ -16,3 +16,4 @@ pub mod random;
 pub mod stack;
 pub mod table;
 pub mod tilt;
+pub mod toss;

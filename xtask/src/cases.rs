@@ -36,6 +36,14 @@ const IMPACTS: &[Case] = &[
 
 const MEASURED: &[&str] = &["--input", "{validation}/planar_impacts/ellipse_impacts_dev1000.csv"];
 
+/// The first of the measured tosses, on a board with an FPU and on one without.
+const TOSSES: &[Case] = &[
+    Case { scalars: &[Scalar::I16F16, Scalar::I12F20], boards: &[Board::M3], arguments: TOSSED },
+    Case { scalars: &[Scalar::F32, Scalar::I16F16, Scalar::I12F20], boards: &[Board::M4f], arguments: TOSSED },
+];
+
+const TOSSED: &[&str] = &["--input", "{validation}/cube_tosses/cube_tosses_dev60.csv", "--tosses", "10"];
+
 /// The core's own arithmetic, under every fixed-point format alike.
 const PRODUCTS: &[Case] = &[Case { scalars: &[Scalar::I16F16], boards: Board::ALL, arguments: &[] }];
 
@@ -44,6 +52,8 @@ pub fn cases(example: &str) -> &'static [Case] {
     match example {
         "billiard_break" | "billiards" | "dice" | "marble_maze" | "pinball" => BUT_F64,
         "impacts" => IMPACTS,
+        "stack" => NOWHERE,
+        "tosses" => TOSSES,
         "products" => PRODUCTS,
         _ => EVERYWHERE,
     }
