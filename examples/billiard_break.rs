@@ -9,7 +9,7 @@ mod scenes;
 
 use board::Exit;
 use numbers::{Job, Number};
-use scenes::pins;
+use scenes::pins::pin;
 use scenes::table::{BALLS, HEIGHT, STEPS, Table, WIDTH};
 
 board::entry!(run);
@@ -33,7 +33,7 @@ impl Job for Break {
         }
         print_state("after", &table);
         board::println!("{} impacts between balls, {} on cushions", table.ball_impacts, table.cushion_impacts);
-        if pins::billiard_break(S::NAME) != Some(table.hash()) {
+        if pin("billiard_break", S::NAME) != Some(table.hash()) {
             board::println!("NOT the pinned state");
             return Exit::Failure;
         }

@@ -9,7 +9,7 @@ mod scenes;
 use board::Exit;
 use carom::Vec3;
 use numbers::{Job, Number};
-use scenes::pins;
+use scenes::pins::pin;
 use scenes::shapes::{Meeting, meet_all};
 
 board::entry!(run);
@@ -28,7 +28,7 @@ impl Job for Shapes {
             return Exit::Failure;
         };
         board::println!("all of it {hash:016x}");
-        if pins::shapes(S::NAME) == Some(hash) {
+        if pin("shapes", S::NAME) == Some(hash) {
             board::println!("the pinned numbers");
             Exit::Success
         } else {

@@ -8,7 +8,7 @@ mod scenes;
 use board::Exit;
 use numbers::{Job, Number};
 use scenes::impacts::{IMPACTS, Scene};
-use scenes::pins;
+use scenes::pins::pin;
 
 board::entry!(run);
 
@@ -35,7 +35,7 @@ impl Job for Impacts {
         }
         let (stuck, slid, apart, saturated) = (scene.stuck, scene.slid, scene.apart, scene.saturated);
         board::println!("{stuck} stuck, {slid} slid, {apart} apart, {saturated} saturated");
-        if pins::impacts(S::NAME) == Some(scene.hash()) {
+        if pin("impacts", S::NAME) == Some(scene.hash()) {
             board::println!("the pinned state");
             Exit::Success
         } else {

@@ -79,7 +79,7 @@ pub fn dispatch(job: &impl Job) -> Exit {
         ($($feature:literal: $($number:ty),+;)+) => {$($(
             #[cfg(feature = $feature)]
             if wanted.is_none_or(|name| name == <$number>::NAME) {
-                return job.run::<$number>();
+                return apart::<$number>(job);
             }
         )+)+};
     }
@@ -93,6 +93,12 @@ pub fn dispatch(job: &impl Job) -> Exit {
     board::println!("this build does not hold the number type {}", wanted.unwrap_or("(none)"));
     board::println!("build with --features f32, fixed, f64 or micromath");
     Exit::Failure
+}
+
+/// In a frame of its own: what the number types keep on the stack does not add up.
+#[inline(never)]
+fn apart<S: Number>(job: &impl Job) -> Exit {
+    job.run::<S>()
 }
 
 /// A decimal number such as `-12.5` or `3e-4`, times `unit`, in the format; `None` where it is none or does not fit.

@@ -1,49 +1,13 @@
 //! Ten thousand impacts among sixteen bodies: every solid, every outcome, chosen by a generator of its own.
 
 use carom::impulse::{Impact, Outcome, resolve_collision, resolve_collision_with_friction};
-use carom::{Body, Contact, Material, Quat, RestitutionLaw, Scalar, Solid, StateHash, UnitVec3, Vec3};
+use carom::{Body, Contact, Material, RestitutionLaw, Scalar, Solid, StateHash, Vec3};
+
+use super::random::Random;
 
 /// Impacts in all.
 pub const IMPACTS: u32 = 10_000;
 const BODIES: usize = 16;
-
-/// xorshift32 (Marsaglia, "Xorshift RNGs", 2003): the same sequence on every machine.
-struct Random(u32);
-
-impl Random {
-    fn next(&mut self) -> u32 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 17;
-        self.0 ^= self.0 << 5;
-        self.0
-    }
-
-    fn below(&mut self, end: u32) -> u32 {
-        (self.next() >> 16).wrapping_mul(end) >> 16
-    }
-
-    /// A multiple of 1/1024 in `low..high`, both in units of 1/1024.
-    fn number<S: Scalar>(&mut self, low: i32, high: i32) -> S {
-        let n = low.wrapping_add(self.below(high.wrapping_sub(low) as u32) as i32);
-        S::from_ratio(n, 1024).unwrap_or(S::ZERO)
-    }
-
-    fn vector<S: Scalar>(&mut self, low: i32, high: i32) -> Vec3<S> {
-        Vec3::new(self.number(low, high), self.number(low, high), self.number(low, high))
-    }
-
-    fn direction<S: Scalar>(&mut self) -> UnitVec3<S> {
-        UnitVec3::normalize(self.vector(-1024, 1024)).unwrap_or(UnitVec3::Z)
-    }
-
-    fn orientation<S: Scalar>(&mut self) -> Quat<S> {
-        let mut unit = || {
-            // Within +-1/2: the square of a quaternion of four such components fits every format.
-            self.number::<S::Unit>(-512, 512)
-        };
-        Quat::normalize(unit(), unit(), unit(), unit()).unwrap_or(Quat::IDENTITY)
-    }
-}
 
 /// The bodies, and what happened to them so far.
 pub struct Scene<S: Scalar> {
@@ -79,7 +43,7 @@ fn body<S: Scalar>(index: usize, random: &mut Random) -> Option<Body<S>> {
 impl<S: Scalar> Scene<S> {
     /// The sixteen bodies, turned and set in motion. `None` would mean that a size or mass is not one.
     pub fn new() -> Option<Self> {
-        let mut random = Random(0x2545_f491);
+        let mut random = Random::new(0x2545_f491);
         let mut bodies = [Body::immovable(); BODIES];
         for (index, slot) in bodies.iter_mut().enumerate() {
             *slot = body(index, &mut random)?;

@@ -1,4 +1,4 @@
-//! `cargo xtask demo`: a billiard break on boards and on this machine, compared.
+//! `cargo xtask demo`: dice thrown on boards and on this machine, compared.
 
 use crate::boards::{Board, Scalar};
 use crate::firmware::{Build, Profile};
@@ -9,10 +9,10 @@ use anyhow::{Context, Result, bail};
 use std::io::Write;
 use std::time::Duration;
 
-const EXAMPLE: &str = "billiard_break";
+const EXAMPLE: &str = "dice";
 const LIMIT: Duration = Duration::from_secs(120);
 
-/// Where the break is played: fixed point on the smallest board, f32 on one with an FPU.
+/// Where they are thrown: fixed point on the smallest board, f32 on one with an FPU.
 const TABLES: [(Board, Scalar); 2] = [(Board::M0, Scalar::I16F16), (Board::M4f, Scalar::F32)];
 
 /// Sets up, runs, shows, compares.

@@ -40,7 +40,7 @@ enum Action {
     /// The environment variable CAROM_THUMB=debian picks Debian's way outright. The other commands do this by
     /// themselves.
     Setup(Yes),
-    /// Show a billiard break on two boards and on this machine, and compare them bit for bit
+    /// Throw dice on two boards and on this machine, and compare them bit for bit
     Demo(Yes),
     /// Run everything: host tests in all feature sets, every example on every board, ELF checks
     ///
