@@ -18,7 +18,12 @@ const EVERYWHERE: &[Case] = &[Case { scalars: Scalar::ALL, boards: Board::ALL, a
 /// Two copies of the table in f64 outgrow the 16 KB of RAM that all firmware here is linked for.
 const BUT_F64: &[Case] = &[Case { scalars: NOT_F64, boards: Board::ALL, arguments: &[] }];
 
-/// Worlds that fill half of those 16 KB in the other types do not fit there in f64.
+/// Worlds: those that fill half of the 16 KB in the other types do not fit there in f64, and a link of one takes its time. All number
+/// types run in `edge`.
+const WORLDS: &[Case] = &[Case { scalars: WORLDLY, boards: Board::ALL, arguments: &[] }];
+
+const WORLDLY: &[Scalar] = &[Scalar::F32, Scalar::I16F16, Scalar::I12F20, Scalar::I8F24];
+
 const NOT_F64: &[Scalar] = &[Scalar::F32, Scalar::I16F16, Scalar::I12F20, Scalar::I8F24, Scalar::Micromath];
 
 /// Ten boxes need forty points: 15 KB of 16, which leaves no stack. This machine runs it.
@@ -50,7 +55,8 @@ const PRODUCTS: &[Case] = &[Case { scalars: &[Scalar::I16F16], boards: Board::AL
 /// The cases of an example.
 pub fn cases(example: &str) -> &'static [Case] {
     match example {
-        "billiard_break" | "billiards" | "dice" | "marble_maze" | "pinball" => BUT_F64,
+        "billiard_break" => BUT_F64,
+        "billiards" | "dice" | "marble_maze" | "newtons_cradle" | "pinball" => WORLDS,
         "impacts" => IMPACTS,
         "stack" => NOWHERE,
         "tosses" => TOSSES,
@@ -59,9 +65,14 @@ pub fn cases(example: &str) -> &'static [Case] {
     }
 }
 
-/// Whether the example does anything in firmware of that feature.
+/// Whether a board runs the example in firmware of that feature.
 pub fn is_for(example: &str, feature: &str) -> bool {
-    example != "products" || feature == "fixed"
+    cases(example).iter().flat_map(|case| case.scalars).any(|scalar| scalar.feature() == feature)
+}
+
+/// Whether the example's firmware is looked at with every check on, too: of those with a world, which share its code, two.
+pub fn also_checked(example: &str) -> bool {
+    !matches!(example, "billiards" | "edge" | "marble_maze" | "newtons_cradle" | "stack" | "tosses")
 }
 
 /// Whether this machine runs the example unoptimised too, and compares.

@@ -64,8 +64,12 @@ pub fn run(options: &Options) -> Result<()> {
         }
         for feature in FEATURES.into_iter().filter(|&one| options.feature.as_deref().unwrap_or(one) == one) {
             for profile in [Profile::Release, Profile::Checked] {
-                let examples: Vec<String> =
-                    examples.iter().filter(|example| cases::is_for(example, feature)).cloned().collect();
+                let asked = options.example.is_some();
+                let looked_at = |example: &&String| {
+                    let all = asked || profile == Profile::Release || cases::also_checked(example);
+                    all && cases::is_for(example, feature)
+                };
+                let examples: Vec<String> = examples.iter().filter(looked_at).cloned().collect();
                 if !examples.is_empty() && options.profile.unwrap_or(profile) == profile {
                     repeats.extend(check_build(&toolchain, Build { target, feature, profile }, &examples)?);
                 }
