@@ -30,7 +30,7 @@ impl Job for Break {
             board::println!("the table cannot be set up");
             return Exit::Failure;
         };
-        board::println!("{}: {BALLS} balls, a world of {} bytes, {STEPS} steps of 1/{RATE} s", S::NAME, Room::<S>::RAM);
+        board::println!("{}: {BALLS} balls, {STEPS} steps of 1/{RATE} s", S::NAME);
         print_table(&billiards);
         for step in 1..=STEPS {
             billiards.step();

@@ -36,7 +36,7 @@ impl Job for Dice {
             board::println!("the dice cannot be set up");
             return Exit::Failure;
         };
-        board::println!("{}: {DICE} dice of 16 mm, a world of {} bytes, seed {seed}", S::NAME, Room::<S>::RAM);
+        board::println!("{}: {DICE} dice of 16 mm, seed {seed}", S::NAME);
         let mut shown = Frame::new();
         print_frame(&throw, 0, &mut shown);
         let mut steps = 0;

@@ -26,7 +26,7 @@ struct Edge;
 impl Job for Edge {
     fn run<S: Number>(&self) -> Exit {
         let mut world = Room::<S>::new();
-        board::println!("{}: a box of 10 cm on its edge, a world of {} bytes", S::NAME, Room::<S>::RAM);
+        board::println!("{}: a box of 10 cm on its edge", S::NAME);
         board::println!("  past the edge   lies after   in f64");
         let (mut hash, mut all) = (0, true);
         for start in &STARTS {

@@ -35,11 +35,7 @@ impl Job for MarbleMaze {
             board::println!("the maze cannot be set up");
             return Exit::Failure;
         };
-        board::println!(
-            "{}: a maze of 20 by 16 cm, a world of {} bytes, {STEPS} steps of 1/{RATE} s",
-            S::NAME,
-            Room::<S>::RAM
-        );
+        board::println!("{}: a maze of 20 by 16 cm, {STEPS} steps of 1/{RATE} s", S::NAME);
         let mut map = drawn();
         print_map(&mut map, &maze, 0);
         for step in 1..=STEPS {

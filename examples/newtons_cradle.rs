@@ -32,7 +32,7 @@ impl Job for Swings {
             board::println!("the cradle cannot be set up");
             return Exit::Failure;
         };
-        board::println!("{}: {BALLS} balls, a world of {} bytes, {STEPS} steps of 1/{RATE} s", S::NAME, Room::<S>::RAM);
+        board::println!("{}: {BALLS} balls, {STEPS} steps of 1/{RATE} s", S::NAME);
         board::println!("  time    momentum    energy");
         print_frame(&cradle, 0);
         for step in 1..=STEPS {

@@ -34,7 +34,7 @@ impl Job for Game {
             board::println!("the table cannot be set up");
             return Exit::Failure;
         };
-        board::println!("{}: a world of {} bytes, steps of 1/{RATE} s", S::NAME, Room::<S>::RAM);
+        board::println!("{}: steps of 1/{RATE} s", S::NAME);
         let mut picture = Board::new();
         let (mut steps, mut lost, mut going) = (0, 0, true);
         while going && steps < STEPS {

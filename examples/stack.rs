@@ -33,8 +33,7 @@ impl Job for Boxes {
             board::println!("the boxes cannot be set up");
             return Exit::Failure;
         };
-        let bytes = Room::<S>::RAM;
-        board::println!("{}: {BOXES} boxes of 10 cm, a world of {bytes} bytes, {STEPS} steps of 1/{RATE} s", S::NAME);
+        board::println!("{}: {BOXES} boxes of 10 cm, {STEPS} steps of 1/{RATE} s", S::NAME);
         for _ in 0..STEPS {
             stack.step();
         }

@@ -225,7 +225,7 @@ impl<'w, S: Scalar> Pinball<'w, S> {
         if kick != Vec3::ZERO
             && let Ok(body) = self.world.body_mut(self.ball)
         {
-            body.linear_velocity = body.linear_velocity + kick;
+            body.linear_velocity += kick;
         }
     }
 
