@@ -97,38 +97,39 @@ fn along<S: Copy, const AXIS: u8>(v: &Vec3<S>) -> S {
 pub struct SweepAndPrune<M> {
     /// The first `len` are the numbers below `len`, each once.
     order: M,
-    len: usize,
+    len: u32,
     axis: Axis,
-    /// Sweeps since the axis was chosen.
-    age: u8,
+    /// Sweeps before the axis is chosen anew.
+    left: u8,
 }
 
-/// Sweeps after which the axis is chosen anew.
-const OLD: u8 = 16;
+/// Sweeps along one axis.
+const SWEEPS: u8 = 16;
 
 impl<M: AsMut<[u16]>> SweepAndPrune<M> {
     /// For as many boxes as the memory has numbers. More are compared with all others.
     pub const fn new(memory: M) -> Self {
-        Self { order: memory, len: 0, axis: Axis::X, age: OLD }
+        Self { order: memory, len: 0, axis: Axis::X, left: 0 }
     }
 
     /// Hands over every pair of boxes that overlap, of up to 65,536 boxes; a box without a shape in it overlaps none where its
     /// minimum is above its maximum. No coordinate may be a NaN.
     pub fn sweep<S: Scalar>(&mut self, boxes: &[Aabb<S>], sink: &mut impl PairSink) {
         self.resize(boxes.len());
-        if self.age >= OLD {
+        if self.left == 0 {
             self.axis = widest(boxes, self.axis);
-            self.age = 0;
+            self.left = SWEEPS;
         }
-        self.age = self.age.wrapping_add(1);
-        let order = self.order.as_mut().get_mut(..self.len).unwrap_or_default();
+        self.left = self.left.wrapping_sub(1);
+        let len = self.len as usize;
+        let order = self.order.as_mut().get_mut(..len).unwrap_or_default();
         match self.axis {
             Axis::X => sweep_along::<S, 0>(order, boxes, sink),
             Axis::Y => sweep_along::<S, 1>(order, boxes, sink),
             Axis::Z => sweep_along::<S, 2>(order, boxes, sink),
         }
         // What there is no memory for, with all that come before it.
-        let mut index = self.len;
+        let mut index = len;
         while let Some(extra) = boxes.get(index) {
             let mut other = 0;
             for earlier in boxes.get(..index).unwrap_or(&[]) {
@@ -146,13 +147,14 @@ impl<M: AsMut<[u16]>> SweepAndPrune<M> {
     fn resize(&mut self, count: usize) {
         let order = self.order.as_mut();
         let count = count.min(order.len()).min(1 << 16);
-        if count == self.len {
+        let len = self.len as usize;
+        if count == len {
             return;
         }
-        self.age = OLD;
-        if count < self.len {
+        self.left = 0;
+        if count < len {
             let mut kept = 0;
-            for index in 0..self.len {
+            for index in 0..len {
                 let Some(&number) = order.get(index) else { continue };
                 if usize::from(number) < count {
                     if let Some(place) = order.get_mut(kept) {
@@ -163,11 +165,11 @@ impl<M: AsMut<[u16]>> SweepAndPrune<M> {
             }
         }
         let mut number = self.len as u16;
-        for place in order.get_mut(self.len..count).unwrap_or_default() {
+        for place in order.get_mut(len..count).unwrap_or_default() {
             *place = number;
             number = number.wrapping_add(1);
         }
-        self.len = count;
+        self.len = count as u32;
     }
 }
 

@@ -65,17 +65,17 @@ use crate::solver::{ManifoldConstraint, Motion, PointConstraint, WarmStart};
 /// ```
 #[derive(Clone, Debug)]
 pub struct World<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: usize> {
-    bodies: Vec<Body<S>, BODIES>,
-    slots: Vec<Slot<S>, BODIES>,
-    shapes: Vec<Sh, BODIES>,
-    materials: Vec<Material<S>, BODIES>,
-    poses: Vec<Pose<S>, BODIES>,
-    boxes: Vec<Aabb<S>, BODIES>,
+    bodies: Vec<Body<S>, BODIES, u16>,
+    slots: Vec<Slot<S>, BODIES, u16>,
+    shapes: Vec<Sh, BODIES, u16>,
+    materials: Vec<Material<S>, BODIES, u16>,
+    poses: Vec<Pose<S>, BODIES, u16>,
+    boxes: Vec<Aabb<S>, BODIES, u16>,
     sweep: SweepAndPrune<[u16; BODIES]>,
     /// The pairs of the last step.
-    contacts: Vec<Entry<S>, MANIFOLDS>,
+    contacts: Vec<Entry<S>, MANIFOLDS, u16>,
     /// Those of the step before.
-    before: Vec<Key, MANIFOLDS>,
+    before: Vec<Key, MANIFOLDS, u16>,
     warm: [WarmStart<S>; POINTS],
     motions: [Motion<S>; BODIES],
     manifolds: [ManifoldConstraint<S>; MANIFOLDS],
@@ -166,7 +166,7 @@ impl<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: u
         self.shapes.get(self.find(handle)?).ok_or(HandleError::Stale)
     }
 
-    /// Its material. Between two surfaces the larger restitution counts, and the geometric mean of the coefficients of friction.
+    /// Its material. Between two surfaces the geometric means of their coefficients count.
     ///
     /// # Errors
     /// [`HandleError`]: the body is not there any more.
@@ -345,7 +345,7 @@ impl<S: Scalar, Sh: Copy, const BODIES: usize, const MANIFOLDS: usize, const POI
     /// Becomes as `other` is, without a copy on the stack: to keep a state, and to return to it. What follows is the same, bit for bit,
     /// as often as it is run from there. Handles keep their meaning.
     pub fn copy_from(&mut self, other: &Self) {
-        fn copy<T: Copy, const N: usize>(to: &mut Vec<T, N>, from: &Vec<T, N>) {
+        fn copy<T: Copy, const N: usize>(to: &mut Vec<T, N, u16>, from: &Vec<T, N, u16>) {
             to.clear();
             for item in from {
                 // As long as the other, which has as much room.

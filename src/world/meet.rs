@@ -7,7 +7,7 @@ use super::slot::Slot;
 use crate::broad_phase::PairSink;
 use crate::contact::{Material, RestitutionLaw};
 use crate::manifold::Manifold;
-use crate::math::{Pose, UnitVec3, max, min};
+use crate::math::{Pose, UnitVec3, min};
 use crate::scalar::Scalar;
 use crate::shape::{Collide, ManifoldSink};
 use crate::solver::{Step, WarmStart};
@@ -30,7 +30,7 @@ pub(super) struct Meeting<'w, 's, S: Scalar, Sh, const MANIFOLDS: usize> {
     pub poses: &'w [Pose<S>],
     pub before: &'w [Key],
     pub warm: &'w [WarmStart<S>],
-    pub contacts: &'w mut Vec<Entry<S>, MANIFOLDS>,
+    pub contacts: &'w mut Vec<Entry<S>, MANIFOLDS, u16>,
     pub finder: Finder,
     pub points: usize,
     pub dropped: u16,
@@ -49,7 +49,7 @@ impl<'w, 's, S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> Meeting<'w, 
         poses: &'w [Pose<S>],
         before: &'w [Key],
         warm: &'w [WarmStart<S>],
-        contacts: &'w mut Vec<Entry<S>, MANIFOLDS>,
+        contacts: &'w mut Vec<Entry<S>, MANIFOLDS, u16>,
     ) -> Self {
         Self {
             step,
@@ -134,11 +134,11 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> ManifoldSink<S> for 
     }
 }
 
-/// What two surfaces come to: the larger restitution, the geometric mean of the coefficients of friction.
+/// What two surfaces come to: the geometric means of their coefficients.
 fn mixed<S: Scalar>(a: &Material<S>, b: &Material<S>) -> Material<S> {
-    let friction = if a.friction() == b.friction() { a.friction() } else { mean(a.friction(), b.friction()) };
+    let mix = |a, b| if a == b { a } else { mean(a, b) };
     let law = if a.law == RestitutionLaw::EnergySafe { a.law } else { b.law };
-    Material::from_valid(max(a.restitution(), b.restitution()), friction).with_law(law)
+    Material::from_valid(mix(a.restitution(), b.restitution()), mix(a.friction(), b.friction())).with_law(law)
 }
 
 /// The root of a product.

@@ -8,7 +8,7 @@ use super::touch;
 use crate::aabb::Aabb;
 use crate::body::Body;
 use crate::broad_phase::PairSink;
-use crate::math::{Pose, Vec3, abs};
+use crate::math::{Pose, Vec3, abs, min};
 use crate::scalar::Scalar;
 use crate::shape::{Collide, Shape};
 use crate::solver::{Buffers, Settings, Step, drive};
@@ -52,7 +52,9 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
         self.drive(settings, &mut report);
         self.rest(settings);
         report.manifolds = self.contacts.len() as u16;
-        report.asleep = self.slots.iter().filter(|slot| slot.is_asleep()).count() as u16;
+        for slot in &self.slots {
+            report.asleep = report.asleep.wrapping_add(u16::from(slot.is_asleep()));
+        }
         report
     }
 
@@ -142,7 +144,10 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
                 step.hold(index);
             }
         }
-        let kept: usize = self.contacts.iter().map(|entry| usize::from(entry.key.points)).sum();
+        let mut kept = 0usize;
+        for entry in &self.contacts {
+            kept = kept.wrapping_add(usize::from(entry.key.points));
+        }
         let mut meeting = Meeting::new(
             step,
             &self.slots,
@@ -219,9 +224,10 @@ fn place_body<S: Scalar, Sh: Shape<S>>(
     let tight = shape.aabb(pose);
     slot.reach = S::ZERO;
     if slot.is_active() {
-        let across = tight.max - tight.min;
-        let speed = magnitude(body.linear_velocity).plus(magnitude(body.angular_velocity).times(magnitude(across)));
-        let way = speed.times_unit(dt);
+        let outer = shape.outer_radius();
+        let turned = magnitude(body.angular_velocity).times_unit(dt).times(outer);
+        // No turn brings the surface farther out than the ball around the shape.
+        let way = magnitude(body.linear_velocity).times_unit(dt).plus(min(turned, outer.minus(slot.size)));
         // Slower ones may sink in by as much, and are pushed out.
         if way > slot.size {
             slot.reach = way;
