@@ -24,6 +24,8 @@ fn run() -> Exit {
 struct Break;
 
 impl Job for Break {
+    const LARGE: bool = true;
+
     fn run<S: Number>(&self) -> Exit {
         let mut world = Room::<S>::new();
         let Some(mut billiards) = Billiards::new(&mut world) else {

@@ -29,6 +29,8 @@ const ACROSS: [i32; 2] = [-4000, 6000];
 const UP: [i32; 2] = [0, 1600];
 
 impl Job for Dice {
+    const LARGE: bool = true;
+
     fn run<S: Number>(&self) -> Exit {
         let seed = board::option("--seed").and_then(|text| text.parse().ok()).unwrap_or(SEED);
         let mut world = Room::<S>::new();

@@ -24,6 +24,8 @@ fn run() -> Exit {
 struct Edge;
 
 impl Job for Edge {
+    const LARGE: bool = true;
+
     fn run<S: Number>(&self) -> Exit {
         let mut world = Room::<S>::new();
         board::println!("{}: a box of 10 cm on its edge", S::NAME);

@@ -29,6 +29,8 @@ const DOT: u32 = RATE as u32 / 12;
 type Map = Picture<21, 17>;
 
 impl Job for MarbleMaze {
+    const LARGE: bool = true;
+
     fn run<S: Number>(&self) -> Exit {
         let mut world = Room::<S>::new();
         let Some(mut maze) = Maze::new(&mut world) else {

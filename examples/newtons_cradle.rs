@@ -26,6 +26,8 @@ struct Swings;
 const ACROSS: [i32; 2] = [-3200, 3200];
 
 impl Job for Swings {
+    const LARGE: bool = true;
+
     fn run<S: Number>(&self) -> Exit {
         let mut world = Room::<S>::new();
         let Some(mut cradle) = Cradle::new(&mut world) else {

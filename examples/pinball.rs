@@ -28,6 +28,8 @@ type Board = Picture<41, 28>;
 const BOUNDS: [[i32; 2]; 2] = [[-HALF_WIDTH, HALF_WIDTH], [0, LENGTH]];
 
 impl Job for Game {
+    const LARGE: bool = true;
+
     fn run<S: Number>(&self) -> Exit {
         let mut world = Room::<S>::new();
         let Some(mut pinball) = Pinball::new(&mut world) else {

@@ -21,6 +21,8 @@ fn run() -> Exit {
 struct Shapes;
 
 impl Job for Shapes {
+    const LARGE: bool = true;
+
     fn run<S: Number>(&self) -> Exit {
         board::println!("{}: in thousandths", S::NAME);
         let Some(hash) = meet_all::<S>(&mut print) else {

@@ -27,6 +27,8 @@ struct Boxes;
 const MOST: i32 = 10_000;
 
 impl Job for Boxes {
+    const LARGE: bool = true;
+
     fn run<S: Number>(&self) -> Exit {
         let mut world = Room::<S>::new();
         let Some(mut stack) = Stack::new(&mut world) else {

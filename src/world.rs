@@ -33,6 +33,9 @@ use crate::scalar::Scalar;
 use crate::shape::Shape;
 use crate::solver::{ManifoldConstraint, Motion, PointConstraint, WarmStart};
 
+/// The places of bodies. (`enumerate` would count without a bound, and so with a check.)
+const PLACES: core::ops::Range<u16> = 0..u16::MAX;
+
 /// Bodies with shapes, and what is between them: up to `BODIES` bodies (65,535 at most), and in a step up to `MANIFOLDS` pairs of surfaces
 /// that touch or are about to, with up to `POINTS` points in all.
 ///
@@ -136,9 +139,9 @@ impl<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: u
         self.slots
             .iter()
             .zip(&self.bodies)
-            .enumerate()
-            .filter(|(_, (slot, _))| slot.state != State::Vacant)
-            .map(|(index, (slot, body))| (slot.handle(index as u16), body))
+            .zip(PLACES)
+            .filter(|((slot, _), _)| slot.state != State::Vacant)
+            .map(|((slot, body), index)| (slot.handle(index), body))
     }
 
     /// The body.

@@ -69,6 +69,9 @@ fixed_number! {
 
 /// What an example does, in any number type.
 pub trait Job {
+    /// Three formats of it do not fit the flash of the smallest board: firmware for that leaves I8F24 out.
+    const LARGE: bool = false;
+
     fn run<S: Number>(&self) -> Exit;
 }
 
@@ -78,7 +81,7 @@ pub fn dispatch(job: &impl Job) -> Exit {
     macro_rules! offer {
         ($($feature:literal: $($number:ty),+;)+) => {$($(
             #[cfg(feature = $feature)]
-            if wanted.is_none_or(|name| name == <$number>::NAME) {
+            if wanted.is_none_or(|name| name == <$number>::NAME) && !left_out::<_, $number>(job) {
                 return apart::<$number>(job);
             }
         )+)+};
@@ -93,6 +96,12 @@ pub fn dispatch(job: &impl Job) -> Exit {
     board::println!("this build does not hold the number type {}", wanted.unwrap_or("(none)"));
     board::println!("build with --features f32, fixed, f64 or micromath");
     Exit::Failure
+}
+
+/// Whether the number type is not in this firmware. (Only the smallest boards have no atomic swap.)
+fn left_out<J: Job, S: Number>(_: &J) -> bool {
+    let smallest = cfg!(all(target_os = "none", not(target_has_atomic = "ptr")));
+    J::LARGE && smallest && S::STEP.to_scaled() == S::Scaled::from_parts(1, -24)
 }
 
 /// In a frame of its own: what the number types keep on the stack does not add up.

@@ -3,10 +3,10 @@
 //! A body is still while it is slower than an eighth of its size a second and does not gain speed: what tips over an edge gains,
 //! however slow it is. An island sleeps when all of it has been still for half a second.
 
-use super::World;
 use super::contacts::Entry;
 use super::slot::Slot;
 use super::step::magnitude;
+use super::{PLACES, World};
 use crate::body::Body;
 use crate::math::max;
 use crate::scalar::Scalar;
@@ -59,10 +59,10 @@ impl<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: u
 
     /// Every awake body finds the one with the lowest number that it touches, over others too.
     fn join(&mut self) {
-        for (index, slot) in self.slots.iter_mut().enumerate() {
+        for (slot, index) in self.slots.iter_mut().zip(PLACES) {
             slot.still_together = u8::MAX;
             if !slot.is_asleep() {
-                slot.island = index as u16;
+                slot.island = index;
             }
         }
         for Entry { key, .. } in self.contacts.iter().filter(|entry| entry.key.touching) {

@@ -1,9 +1,9 @@
 //! Questions to the world: what a ray meets, what a shape overlaps, what is closest.
 
-use super::World;
 use super::filter::Filter;
 use super::handle::BodyHandle;
 use super::slot::State;
+use super::{PLACES, World};
 use crate::body::Body;
 use crate::manifold::Manifold;
 use crate::math::{Pose, UnitVec3, Vec3};
@@ -73,14 +73,13 @@ impl<S: Scalar, Sh: Shape<S>, const BODIES: usize, const MANIFOLDS: usize, const
 
     /// The solid bodies with their shapes, where they are now.
     fn solid(&self, filter: Filter) -> impl Iterator<Item = (BodyHandle, &Sh, Pose<S>)> {
-        let bodies = self.slots.iter().zip(&self.bodies).zip(&self.shapes).enumerate();
+        let bodies = self.slots.iter().zip(&self.bodies).zip(&self.shapes).zip(PLACES);
         bodies
-            .filter(move |(_, ((slot, _), _))| {
-                !matches!(slot.state, State::Vacant | State::Quarantined)
-                    && !slot.sensor
-                    && filter.lets_meet(slot.filter)
+            .filter(move |(((slot, _), _), _)| {
+                let there = !matches!(slot.state, State::Vacant | State::Quarantined);
+                there && !slot.sensor && filter.lets_meet(slot.filter)
             })
-            .map(|(index, ((slot, body), shape))| (slot.handle(index as u16), shape, pose_of(body)))
+            .map(|(((slot, body), shape), index)| (slot.handle(index), shape, pose_of(body)))
     }
 }
 

@@ -1,10 +1,10 @@
 //! A step of the world, stage after stage.
 
-use super::World;
 use super::contacts::{Entry, Key, Kind};
 use super::meet::{Meeting, near};
 use super::slot::{Slot, State};
 use super::touch;
+use super::{PLACES, World};
 use crate::aabb::Aabb;
 use crate::body::Body;
 use crate::broad_phase::PairSink;
@@ -139,9 +139,9 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
     fn solve(&mut self, settings: &Settings<S>, report: &mut WorldReport) {
         let buffers = Buffers { motions: &mut self.motions, manifolds: &mut self.manifolds, points: &mut self.points };
         let mut step = Step::begin(&mut self.bodies, buffers, settings);
-        for (index, slot) in self.slots.iter().enumerate() {
+        for (slot, index) in self.slots.iter().zip(PLACES) {
             if matches!(slot.state, State::Asleep | State::Quarantined | State::Vacant) {
-                step.hold(index);
+                step.hold(usize::from(index));
             }
         }
         let mut kept = 0usize;

@@ -20,9 +20,23 @@ const BUT_F64: &[Case] = &[Case { scalars: NOT_F64, boards: Board::ALL, argument
 
 /// Worlds: those that fill half of the 16 KB in the other types do not fit there in f64, and a link of one takes its time. All number
 /// types run in `edge`.
-const WORLDS: &[Case] = &[Case { scalars: WORLDLY, boards: Board::ALL, arguments: &[] }];
+const WORLDS: &[Case] =
+    &[Case { scalars: &[Scalar::F32, Scalar::I16F16, Scalar::I12F20], boards: Board::ALL, arguments: &[] }, EIGHT_BITS];
 
-const WORLDLY: &[Scalar] = &[Scalar::F32, Scalar::I16F16, Scalar::I12F20, Scalar::I8F24];
+/// A third format does not fit the flash of the M0 beside two others.
+const EIGHT_BITS: Case = Case { scalars: &[Scalar::I8F24], boards: BUT_M0, arguments: &[] };
+
+const BUT_M0: &[Board] = &[Board::M3, Board::M4f, Board::M7, Board::M33];
+
+/// Large, and in every number type.
+const LARGE: &[Case] = &[
+    Case {
+        scalars: &[Scalar::F32, Scalar::I16F16, Scalar::I12F20, Scalar::F64, Scalar::Micromath],
+        boards: Board::ALL,
+        arguments: &[],
+    },
+    EIGHT_BITS,
+];
 
 const NOT_F64: &[Scalar] = &[Scalar::F32, Scalar::I16F16, Scalar::I12F20, Scalar::I8F24, Scalar::Micromath];
 
@@ -57,6 +71,7 @@ pub fn cases(example: &str) -> &'static [Case] {
     match example {
         "billiard_break" => BUT_F64,
         "billiards" | "dice" | "marble_maze" | "newtons_cradle" | "pinball" => WORLDS,
+        "edge" | "shapes" => LARGE,
         "impacts" => IMPACTS,
         "stack" => NOWHERE,
         "tosses" => TOSSES,
