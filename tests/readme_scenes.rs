@@ -176,6 +176,14 @@ fn piles() {
     ]);
 }
 
+/// A limit that the README states: whoever lifts it changes that.
+#[test]
+fn ten_small_cubes_need_more_than_four_sub_steps() {
+    let sunk =
+        [sinks::<f32>(0.01, &[0.01; 10]), sinks::<I16F16>(0.01, &[0.01; 10]), sinks::<I12F20>(0.01, &[0.01; 10])];
+    assert!(sunk.iter().all(|sunk| *sunk > 1.0), "{sunk:?} of a cube");
+}
+
 #[test]
 fn free_top() {
     let Some(file) = validation::file("oracles/torque_free_top.csv") else { return };
