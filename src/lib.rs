@@ -1,5 +1,45 @@
-//! Rigid-body collision response for microcontrollers: the impulse of one contact between two bodies, with friction, in
-//! `f32` or in fixed point, without an allocator, with the same bits on a Cortex-M0 as on a laptop.
+//! Rigid bodies on microcontrollers: the impulse of one contact, a solver over many, and a world of bodies with shapes, in `f32`
+//! or in fixed point, without an allocator, with the same bits on a Cortex-M0 as on a laptop.
+//!
+//! A die that falls onto a table, in a [`World`] of fixed size:
+//!
+//! ```
+//! use carom::solver::Settings;
+//! use carom::{Body, Cuboid, HalfSpace, Material, Scalar, Solid, UnitVec3, Vec3, World};
+//! # #[cfg(feature = "f32")] type Real = f32;
+//! # #[cfg(all(not(feature = "f32"), feature = "fixed"))] type Real = fixed::types::I12F20;
+//! # #[cfg(all(not(feature = "f32"), not(feature = "fixed"), feature = "f64"))] type Real = f64;
+//! # #[cfg(all(not(any(feature = "f32", feature = "fixed", feature = "f64")), feature = "micromath"))]
+//! # type Real = micromath::F32;
+//! # #[cfg(any(feature = "f32", feature = "fixed", feature = "f64", feature = "micromath"))]
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! // `type Real = f32;`, or `fixed::types::I12F20` on a part without an FPU: nothing else changes.
+//! carom::shapes! { enum Piece<S> { Cuboid, HalfSpace } }         // only the pairs of these are linked
+//! let milli = |n| Real::from_ratio(n, 1000);
+//! let zero = Real::ZERO;
+//!
+//! let mut world = World::<Real, Piece<Real>, 2, 4, 8>::new();    // bodies, pairs that touch, points
+//! let wood = Material::new(milli(300)?, milli(500)?)?;           // restitution, friction
+//! world.insert(Body::immovable(), HalfSpace::new(UnitVec3::Z), wood)?;
+//! let half = Vec3::new(milli(10)?, milli(10)?, milli(10)?);      // 2 cm
+//! let die = Body::dynamic(Solid::cuboid(half)?.with_mass(milli(8)?)?);
+//! let die = world.insert(die.at(Vec3::new(zero, zero, milli(100)?)), Cuboid::new(half)?, wood)?;
+//!
+//! let fall = Vec3::new(zero, zero, milli(-9810)?);
+//! let settings = Settings::new(fall, [1, 60], 4)?;               // 1/60 s in four sub-steps
+//! let mut hits = 0;
+//! for _ in 0..120 {
+//!     world.step(&settings);                                     // never fails
+//!     hits += world.impacts().count();                           // who hit whom, how fast, how hard
+//! }
+//! assert!(hits > 1 && world.is_asleep(die)?);
+//! # Ok(())
+//! # }
+//! # #[cfg(not(any(feature = "f32", feature = "fixed", feature = "f64", feature = "micromath")))]
+//! # fn main() {}
+//! ```
+//!
+//! One contact between two bodies of your own:
 //!
 //! ```
 //! use carom::impulse::{Outcome, resolve_collision_with_friction};
@@ -41,14 +81,16 @@
 //! - [`Scalar`]: the number types. A feature each (`f32`, `fixed`, `f64`, `micromath`) adds one; none excludes another.
 //! - [`Vec3`], [`UnitVec3`], [`Quat`], [`Mat3`], [`SymMat3`]: just the algebra that is used.
 //! - [`Solid`] and [`MassProperties`]: mass and inertia of the usual solids, or as given.
-//! - [`Body`], [`Contact`], [`Material`]: what the kernel works on.
-//! - [`impulse`]: **the kernel**. From [`impulse::effective_mass`] over [`impulse::collision_impulse`] and
+//! - [`Assembly`]: several solids as one body.
+//! - [`Body`], [`Contact`], [`Material`]: what it all works on.
+//! - [`impulse`]: **one contact**. From [`impulse::effective_mass`] over [`impulse::collision_impulse`] and
 //!   [`impulse::apply_impulse`] to [`impulse::resolve_collision_with_friction`].
-//! - [`Sphere`], [`HalfSpace`], [`Cuboid`], [`Capsule`], [`ConvexHull`], [`HeightField`], and a [`Compound`] of several: shapes. [`Collide`] finds where two
-//!   touch, [`Shape`] answers rays and points, [`shapes!`] makes one type of those that a world holds, and [`SweepAndPrune`]
-//!   finds the pairs worth a look. Geometry knows neither velocities nor masses.
-//! - [`solver`]: bodies and manifolds over a step of time, on the caller's own slices; [`solver::Settings`] says how.
-//! - [`World`]: bodies with shapes in memory of fixed size, from the broad phase to sleep.
+//! - [`Sphere`], [`HalfSpace`], [`Cuboid`], [`Capsule`], [`ConvexHull`], [`HeightField`], and a [`Compound`] of several: shapes.
+//!   [`Collide`] finds where two touch, [`Shape`] answers rays and points, [`shapes!`] makes one type of those that a world
+//!   holds, and [`SweepAndPrune`] finds the pairs worth a look. Geometry knows neither velocities nor masses.
+//! - [`solver`]: **many contacts** over a step of time, on the caller's own slices of bodies and manifolds;
+//!   [`solver::Settings`] says how.
+//! - [`World`]: **bodies with shapes** in memory of fixed size, from the broad phase to sleep.
 //! - [`units`]: whether a scene fits a number format, and units in which it does.
 //! - [`StateHash`]: one number to compare two machines by.
 //!
@@ -61,9 +103,9 @@
 //!
 //! # Errors
 //!
-//! Constructors refuse bad input with an error that names the parameter. The kernel never fails: fixed point stays at the
-//! end of its range, a float that is not finite leaves both bodies as they were, and the report says so. Nothing panics,
-//! allocates, wraps, or loops without a bound.
+//! Constructors refuse bad input with an error that names the parameter. An impulse or a step never fails: fixed point stays at
+//! the end of its range, a float that is not finite leaves the bodies as they were, contacts beyond the room there is are left
+//! out, and the report says so. Nothing panics, allocates, wraps, or loops without a bound.
 #![no_std]
 #![deny(missing_docs)]
 #![deny(unsafe_code)]
@@ -108,7 +150,7 @@ pub use shape::{
 };
 pub use world::{BodyHandle, World};
 
-// The README's example compiles and runs.
+// The README's examples compile and run.
 #[cfg(all(doctest, feature = "f32"))]
 #[doc = include_str!("../README.md")]
 mod readme {}

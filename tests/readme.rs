@@ -1,4 +1,4 @@
-//! The accuracy table of the README is what `validate` prints.
+//! The accuracy tables of the README are what `validate` prints.
 #![cfg(any(feature = "f32", feature = "f64", feature = "fixed", feature = "micromath"))]
 
 #[path = "support/host.rs"]
@@ -8,6 +8,8 @@ mod scalars;
 #[allow(dead_code)]
 #[path = "../examples/validate/tool/mod.rs"]
 mod tool;
+#[path = "support/validation.rs"]
+mod validation;
 
 use std::path::Path;
 
@@ -18,6 +20,7 @@ use tool::kernel::Setup;
 use tool::number::{Job, Number};
 use tool::report::report;
 use tool::tolerances::File;
+use tool::tosses::Tosses;
 
 struct Report(Number);
 
@@ -56,4 +59,51 @@ fn the_accuracy_table_is_what_validate_prints() {
         );
         assert!(readme.contains(&row), "the README's row should read\n{row}");
     }
+}
+
+struct Replay<'a>(Number, &'a Path);
+
+impl Job for Replay<'_> {
+    type Output = String;
+    fn run<S: HostScalar>(self) -> String {
+        let run = Tosses { file: self.1, number: self.0, out: None };
+        let report = run.run::<S>().expect("a good file");
+        assert_eq!(report.problem, None, "{}", report.text);
+        report.text
+    }
+}
+
+/// Position, rotation and face behind the words that a line begins with.
+fn scores<'a>(text: &'a str, words: &str) -> [&'a str; 3] {
+    let line = text.lines().find_map(|line| line.trim().strip_prefix(words)).expect("a line of scores");
+    let cells: Vec<&str> = line.split_whitespace().collect();
+    let after = |name| cells[1 + cells.iter().position(|cell| *cell == name).expect("a score")];
+    ["position", "rotation", "face"].map(after)
+}
+
+fn toss_row(number: Number) {
+    if !NUMBERS.contains(&number) {
+        return;
+    }
+    let Some(file) = validation::file("cube_tosses/cube_tosses_dev60.csv") else { return };
+    let text = scalars::run(number, Replay(number, &file));
+    let [nominal, least, most] = ["parameters as given", "the least", "the most"].map(|words| scores(&text, words));
+    let spread = [0, 1, 2].map(|i| format!("{} to {}", least[i], most[i]));
+    let row = format!("| `{number}` | {} | {} |", nominal.join(" | "), spread.join(" | "));
+    assert!(include_str!("../README.md").contains(&row), "the README's row should read\n{row}");
+}
+
+#[test]
+fn the_tosses_in_f32() {
+    toss_row(Number::F32);
+}
+
+#[test]
+fn the_tosses_in_i16f16() {
+    toss_row(Number::I16F16);
+}
+
+#[test]
+fn the_tosses_in_i12f20() {
+    toss_row(Number::I12F20);
 }

@@ -1,5 +1,8 @@
 //! How steps are made.
 
+use core::error::Error;
+use core::fmt::{Display, Formatter};
+
 use super::Softness;
 use crate::math::Vec3;
 use crate::scalar::{Scalar, Scaled};
@@ -27,6 +30,14 @@ pub struct Settings<S: Scalar> {
 /// A time that cannot be stepped over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SettingsError;
+
+impl Display for SettingsError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
+        f.write_str("settings: take a sub-step or more, each longer than zero and below one second, the step below two")
+    }
+}
+
+impl Error for SettingsError {}
 
 impl<S: Scalar> Settings<S> {
     /// Steps of `seconds[0] / seconds[1]`, each in as many sub-steps.

@@ -8,7 +8,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use self::recording::read;
-use self::replay::{Cube, replay};
+use self::replay::{BETTER_KNOWN, Cube, replay};
 use self::score::Score;
 use super::error::{Error, Result};
 use super::number::{Job, Number};
@@ -19,7 +19,7 @@ use crate::host::HostScalar;
 
 /// Friction coefficients to choose from; the cube's is in the middle.
 const FRICTIONS: [f64; 5] = [0.10, 0.14, 0.18, 0.22, 0.30];
-/// How far a parameter is moved, for the spread.
+/// How far a parameter is moved, for the spread; those that are better known, a third of that.
 const JITTER: f64 = 0.03;
 
 /// A run over a file in one number type.
@@ -69,8 +69,14 @@ impl Job for Tosses<'_> {
         for cube in Cube::NOMINAL.jittered(JITTER) {
             spread.push(run(&cube)?);
         }
-        let _ = writeln!(text, "each moved by {:.0} %: the least  {}", 100.0 * JITTER, Score::least(&spread));
-        let _ = writeln!(text, "                    the most   {}", Score::most(&spread));
+        let _ = writeln!(
+            text,
+            "each parameter moved by {:.0} %, the side and gravity by {:.0} %:",
+            100.0 * JITTER,
+            100.0 * JITTER / BETTER_KNOWN
+        );
+        let _ = writeln!(text, "                   the least  {}", Score::least(&spread));
+        let _ = writeln!(text, "                   the most   {}", Score::most(&spread));
         let mut best = (f64::INFINITY, 0.0);
         for friction in FRICTIONS {
             let score =

@@ -12,6 +12,8 @@ const RATE: u16 = 148 * STEPS;
 const SUB_STEPS: u8 = 8;
 /// How near a point counts, in parts of the half side.
 const MARGIN: f64 = 0.005;
+/// By how much better the side and gravity are known than the rest.
+pub const BETTER_KNOWN: f64 = 3.0;
 
 /// The cube and the table, in SI units.
 #[derive(Clone, Copy, Debug)]
@@ -33,15 +35,15 @@ impl Cube {
         Self { friction, ..self }
     }
 
-    /// Each parameter on which the motion depends, a little less and a little more.
+    /// Each parameter on which the motion depends by that part less and more, the side and gravity by a third of it.
     pub fn jittered(self, part: f64) -> impl Iterator<Item = Self> {
         [1.0 - part, 1.0 + part].into_iter().flat_map(move |factor| {
             [
-                Self { half_side: self.half_side * (1.0 + (factor - 1.0) / 3.0), ..self },
+                Self { half_side: self.half_side * (1.0 + (factor - 1.0) / BETTER_KNOWN), ..self },
                 Self { inertia: self.inertia * factor, ..self },
                 Self { friction: self.friction * factor, ..self },
                 Self { restitution: self.restitution * factor, ..self },
-                Self { gravity: self.gravity * (1.0 + (factor - 1.0) / 3.0), ..self },
+                Self { gravity: self.gravity * (1.0 + (factor - 1.0) / BETTER_KNOWN), ..self },
             ]
         })
     }
