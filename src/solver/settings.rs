@@ -1,6 +1,8 @@
 //! How steps are made.
 
 use super::Softness;
+#[cfg(doc)]
+use crate::body::Body;
 use crate::math::Vec3;
 use crate::scalar::{Scalar, Scaled};
 
@@ -59,5 +61,12 @@ impl<S: Scalar> Settings<S> {
             dt,
             half_second: half_second.min(255) as u8,
         })
+    }
+
+    /// The length of a step in seconds, for [forces](Body::apply_force) that act over one. One division: to 2^-29 of it in
+    /// fixed point.
+    #[must_use]
+    pub fn seconds(&self) -> S::Scaled {
+        S::Scaled::from_parts(i32::from(self.sub_steps), 0) / self.inv_h
     }
 }
