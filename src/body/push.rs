@@ -52,9 +52,9 @@ impl<S: Scalar> Body<S> {
     /// ```
     /// # #[cfg(feature = "f32")] {
     /// use carom::solver::Settings;
-    /// use carom::{Body, Solid, Sphere, Material, Vec3, World};
+    /// use carom::{Body, Material, Solid, Sphere, Vec3, World};
     ///
-    /// let steps = Settings::new(Vec3::new(0.0, 0.0, 0.0), [1, 60], 4)?;
+    /// let steps = Settings::new(Vec3::new(0.0, 0.0, 0.0), [1, 60], 4).unwrap();
     /// let mut world = World::<f32, Sphere<f32>, 1, 1, 1>::new();
     /// let rocket = Body::dynamic(Solid::sphere(0.5_f32)?.with_mass(2.0)?);
     /// let rocket = world.insert(rocket, Sphere::new(0.5)?, Material::DEAD)?;
