@@ -1,5 +1,7 @@
 //! The rigid body.
 
+mod push;
+
 use crate::error::BodyError;
 use crate::mass::MassProperties;
 use crate::math::{Quat, SymMat3, Vec3};

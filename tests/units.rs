@@ -11,12 +11,14 @@ mod random;
 #[path = "support/scene.rs"]
 mod scene;
 
+use carom::UnitVec3;
+use carom::solver::Settings;
 use carom::units::{Dimension, NumberFormat, Quantity, Scene, Units};
 use host::HostScalar;
 use random::Random;
 use scene::{Scene as World, Shape, number, vector};
 
-each_format!(proposals_fit, conversions, accepted_scenes);
+each_format!(proposals_fit, conversions, accepted_scenes, settings_of_a_scene);
 
 /// A quantity's value, from the text that shows it: `numerator e exponent / denominator`.
 fn float(q: Quantity) -> f64 {
@@ -249,4 +251,49 @@ fn accepted_scenes<S: HostScalar + NumberFormat>(name: &str) {
     }
     assert!(tight >= 50, "{name}: only {tight} scenes within a factor of four of a limit");
     println!("{name}: {seen} scenes, {tight} tight; worst {worst:?}");
+}
+
+/// A scene's settings are its numbers in its units, and boxes that overlap part as in metres; at the 4 units of plain settings
+/// they would not.
+fn settings_of_a_scene<S: HostScalar + NumberFormat>(name: &str) {
+    let scene = Scene {
+        smallest_size: Quantity::centi(4),
+        largest_distance: Quantity::whole(1),
+        lightest: Quantity::ONE,
+        heaviest: Quantity::ONE,
+        fastest: Quantity::whole(-2),
+        gravity: Quantity::centi(-981),
+        step: Quantity::ratio(1, 60),
+        sub_steps: 4,
+        duration: Quantity::whole(60),
+    };
+    // How high a box of 8 cm is after a fifth of a second that began 3 cm in the ground, in metres.
+    let rises = |units: Units, plain: bool| {
+        let length = |x: f64| x / float(units.length);
+        let mut settings = scene.settings::<S>(&units, -UnitVec3::Y).expect("within the format");
+        if plain {
+            settings = Settings::new(settings.gravity, [1, 60], 4).expect("settings");
+        }
+        let mut world = World::<S>::new([0.0; 3], [1, 60], 4, 0.5, 0.0);
+        world.settings = settings;
+        world.ground([0.0, 1.0, 0.0]);
+        let cube = world.solid(1.0, Shape::Cuboid([length(0.04); 3]), [0.0, length(0.01), 0.0]);
+        world.run(0.2);
+        world.position(cube)[1] * float(units.length)
+    };
+    let centimetres = Units { length: Quantity::centi(1), ..Units::SI };
+    if scene.check_in::<S>(&centimetres).is_err() {
+        // Gravity is beyond the range.
+        assert_eq!(name, "i8f24");
+        assert!(scene.settings::<S>(&centimetres, -UnitVec3::Y).is_err());
+        return;
+    }
+    let settings = scene.settings::<S>(&centimetres, -UnitVec3::Y).expect("within the format");
+    assert_eq!(scene::floats(settings.gravity), [0.0, -981.0, 0.0], "{name}");
+    assert_eq!(settings.push_out_speed.to_f64(), 200.0, "{name}");
+    assert!((S::scaled_to_f64(settings.seconds()) * 60.0 - 1.0).abs() < 1e-6, "{name}");
+    let [si, scaled, plain] = [rises(Units::SI, false), rises(centimetres, false), rises(centimetres, true)];
+    assert!((si - 0.04).abs() < 1e-3, "{name}: {si} in metres");
+    assert!((scaled - si).abs() < 2e-4, "{name}: {scaled}, and {si} in metres");
+    assert!(plain < 0.03, "{name}: {plain} with plain settings");
 }

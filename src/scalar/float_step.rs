@@ -50,6 +50,11 @@ macro_rules! float_step {
             }
 
             #[inline(always)]
+            fn changed(x: $float, (): (), change: $float) -> ($float, (), bool) {
+                (x + change, (), false)
+            }
+
+            #[inline(always)]
             fn gain(acceleration: $float, h: $float, (): ()) -> $float {
                 acceleration * h
             }

@@ -72,6 +72,9 @@ pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 's
     fn lift(x: S, rest: Self::Rest, places: Self::Places) -> S;
     /// Back again, and whether the end of the range was met.
     fn lower(x: S, places: Self::Places) -> (S, Self::Rest, bool);
+    /// A stored number with its rest after a change of any size: rounded once, to the last place of the rest; and whether the end
+    /// of the range was met.
+    fn changed(x: S, rest: Self::Rest, change: S::Scaled) -> (S, Self::Rest, bool);
     /// An acceleration over a sub-step.
     fn gain(acceleration: S, h: S::SubStep, places: Self::Places) -> S;
     /// A gap as the speed that closes it in a sub-step.

@@ -272,6 +272,13 @@ fn inverse_length(square: i64) -> i32 {
     inverse(length << 1)
 }
 
+/// A number of 2^-16 units of the last place as the nearest one and its rest, and whether the end of the range was met.
+#[inline(always)]
+fn parted(wide: i64) -> (i32, i16, bool) {
+    let (bits, clipped) = clip(wide.wrapping_add(1 << (REST - 1)) >> REST);
+    (bits, if clipped { 0 } else { wide as i16 }, clipped)
+}
+
 impl<Frac> StepArithmetic<FixedI32<Frac>> for FixedStep
 where
     Frac: LeEqU32 + IsLessOrEqual<U30, Output = True> + Send + Sync + 'static,
@@ -323,10 +330,16 @@ where
             let rest = x.wrapping_sub(stored.wrapping_shl(places)).wrapping_shl((REST as u32).wrapping_sub(places));
             return (FixedI32::from_bits(stored), rest as i16, false);
         }
-        let wide = shift_product(x as i64, places.wrapping_sub(REST));
-        let stored = wide.wrapping_add(1 << (REST - 1)) >> REST;
-        let (bits, clipped) = clip(stored);
-        let rest = if clipped { 0 } else { wide as i16 };
+        let (bits, rest, clipped) = parted(shift_product(x as i64, places.wrapping_sub(REST)));
+        (FixedI32::from_bits(bits), rest, clipped)
+    }
+
+    #[inline(never)]
+    fn changed(x: FixedI32<Frac>, rest: i16, change: Scaled32) -> (FixedI32<Frac>, i16, bool) {
+        let down = (30 - REST - Frac::I32).wrapping_sub(change.exponent());
+        let wide = (x.to_bits() as i64).wrapping_shl(REST as u32).wrapping_add(rest as i64);
+        // Within 2^48 and 2^61.
+        let (bits, rest, clipped) = parted(wide.wrapping_add(shift_product(change.mantissa() as i64, down)));
         (FixedI32::from_bits(bits), rest, clipped)
     }
 

@@ -4,6 +4,8 @@ use core::error::Error;
 use core::fmt::{Display, Formatter};
 
 use super::Softness;
+#[cfg(doc)]
+use crate::body::Body;
 use crate::math::Vec3;
 use crate::scalar::{Scalar, Scaled};
 
@@ -12,7 +14,8 @@ use crate::scalar::{Scalar, Scaled};
 pub struct Settings<S: Scalar> {
     /// The acceleration of free fall, m/s^2.
     pub gravity: Vec3<S>,
-    /// The speed at which bodies that overlap are pushed apart, at most, m/s.
+    /// The speed at which bodies that overlap are pushed apart, at most, m/s: 4 at first, in whatever units. About the highest
+    /// speed of the scene suits; see [`with_push_out_speed`](Self::with_push_out_speed).
     pub push_out_speed: S,
     /// Between bodies that both move.
     pub soft: Softness<S>,
@@ -70,5 +73,23 @@ impl<S: Scalar> Settings<S> {
             dt,
             half_second: half_second.min(255) as u8,
         })
+    }
+
+    /// The same, but bodies that overlap are pushed apart at up to that speed, in units of length by units of time.
+    ///
+    /// [`new`](Self::new) takes 4 of these, which is far too slow where the unit of length is a millimetre, and bodies that were
+    /// put into each other, or driven there, part only after seconds. [`Scene::settings`](crate::units::Scene::settings) takes the
+    /// highest speed of the scene. Zero leaves them where they are.
+    #[must_use]
+    pub const fn with_push_out_speed(mut self, speed: S) -> Self {
+        self.push_out_speed = speed;
+        self
+    }
+
+    /// The length of a step in seconds, for [forces](Body::apply_force) that act over one. One division: to 2^-29 of it in
+    /// fixed point.
+    #[must_use]
+    pub fn seconds(&self) -> S::Scaled {
+        S::Scaled::from_parts(i32::from(self.sub_steps), 0) / self.inv_h
     }
 }

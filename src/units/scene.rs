@@ -6,6 +6,10 @@ use super::format::{Format, NumberFormat};
 use super::propose::propose;
 use super::quantity::Quantity;
 use super::system::Units;
+use crate::error::RangeError;
+use crate::math::{UnitVec3, Vec3, abs};
+use crate::scalar::Scalar;
+use crate::solver::Settings;
 
 /// The extremes of a scene, in SI units; signs do not count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,6 +71,18 @@ impl Scene {
         let (digits, exponent) = measures.resting_noise(S::FORMAT, units).decimal();
         let resting_noise = Quantity::new(digits as i32, exponent as i8);
         Ok(Fit { tightest: tightest.property, room: tightest.room, resting_noise })
+    }
+
+    /// The scene's gravity, along `down`, its steps and its highest speed, as the one at which bodies that overlap are pushed apart,
+    /// in those units.
+    ///
+    /// # Errors
+    /// [`RangeError`] where one is beyond the format, as in a scene that [fits](Self::check_in) none is, or where the step has no
+    /// [form](Units::step) in which it can be told.
+    pub fn settings<S: Scalar>(&self, units: &Units, down: UnitVec3<S>) -> Result<Settings<S>, RangeError> {
+        let gravity = Vec3::of_length(abs(units.acceleration(self.gravity)?), down.get());
+        let steps = Settings::new(gravity, units.step(self.step)?, self.sub_steps).map_err(|_| RangeError)?;
+        Ok(steps.with_push_out_speed(abs(units.speed(self.fastest)?)))
     }
 
     /// Units in which the format holds the scene: metres, kilograms and seconds if it does in these; else with the most room,
