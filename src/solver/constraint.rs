@@ -46,8 +46,8 @@ pub struct PointConstraint<S: Scalar> {
     pub(super) gap_struck: S,
     pub(super) feature: FeatureId,
     pub(super) bearing: [i8; 3],
-    /// Without an impulse in the step before.
-    pub(super) fresh: bool,
+    /// With an impulse in the step before.
+    pub(super) lasting: bool,
     pub(super) struck: bool,
     /// The normal goes through the centres of mass: it turns neither body.
     pub(super) central: bool,
@@ -93,7 +93,7 @@ impl<S: Scalar> PointConstraint<S> {
         gap_struck: S::ZERO,
         feature: FeatureId(0),
         bearing: [0; 3],
-        fresh: true,
+        lasting: false,
         struck: false,
         central: false,
         apart: false,

@@ -35,7 +35,7 @@ impl<S: Scalar> Touch<S> {
             let [_, column] = &point.normal;
             self.impulse = self.impulse + S::Step::impulse(point.total, places, column.share, inv_mass);
         }
-        if point.fresh && point.struck {
+        if !point.lasting && point.struck {
             let change = fall.map_or(point.change, S::negated);
             let (speed, _, _) = S::Step::lower(point.approach.plus(change).negated(), places);
             if speed > self.approach {
