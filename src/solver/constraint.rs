@@ -22,6 +22,8 @@ pub struct ManifoldConstraint<S: Scalar> {
     pub(super) normal: Vec3<S::Unit>,
     pub(super) tangents: [Vec3<S::Unit>; 2],
     pub(super) restitution: S::Unit,
+    /// Where the rebound must not raise the energy: the work of the normal impulses so far.
+    pub(super) work: Option<S::Scaled>,
 }
 
 /// A contact point prepared for a step: working space that the caller lends.
@@ -44,6 +46,8 @@ pub struct PointConstraint<S: Scalar> {
     pub(super) approach: S,
     pub(super) change: S,
     pub(super) gap_struck: S,
+    /// When work was last counted.
+    pub(super) speed: S,
     pub(super) feature: FeatureId,
     pub(super) bearing: [i8; 3],
     /// With an impulse in the step before.
@@ -67,6 +71,7 @@ impl<S: Scalar> ManifoldConstraint<S> {
         normal: Vec3::ZERO,
         tangents: [Vec3::ZERO; 2],
         restitution: <S::Unit as Scalar>::ZERO,
+        work: None,
     };
 
     /// Which points are its own.
@@ -91,6 +96,7 @@ impl<S: Scalar> PointConstraint<S> {
         approach: S::ZERO,
         change: S::ZERO,
         gap_struck: S::ZERO,
+        speed: S::ZERO,
         feature: FeatureId(0),
         bearing: [0; 3],
         lasting: false,
