@@ -13,6 +13,7 @@
 
 mod constraint;
 mod drive;
+mod energy;
 mod friction;
 mod gyroscope;
 mod impact;

@@ -11,10 +11,11 @@ mod host;
 #[path = "support/scene.rs"]
 mod scene;
 
+use carom::RestitutionLaw;
 use host::HostScalar;
 use scene::{Scene, Shape};
 
-each_number!(perfect_bounces, series_of_bounces);
+each_number!(perfect_bounces, series_of_bounces, safe_boxes);
 
 const G: f64 = 9.81;
 
@@ -57,4 +58,101 @@ fn series_of_bounces<S: HostScalar>(name: &str) {
         let rest = apexes[apexes.len() - 1];
         assert!(rest.abs() < 1e-3, "{name}, e = {restitution}: still bounces {rest} high");
     }
+}
+
+/// A box that bounces without friction and without loss, on a corner, on an edge and askew: under the safe law its energy does
+/// not grow.
+fn safe_boxes<S: HostScalar>(name: &str) {
+    let half = [0.5; 3];
+    let inertia = 1.0 / 6.0;
+    let mut grown = 0.0f64;
+    for (orientation, what) in [
+        ([0.8804762, 0.3647052, 0.0, -0.2798482], "corner"),
+        ([0.9238795, 0.3826834, 0.0, 0.0], "edge"),
+        ([0.9, 0.1, 0.2, 0.3], "askew"),
+    ] {
+        for law in [RestitutionLaw::EnergySafe, RestitutionLaw::Newton] {
+            let mut scene = Scene::<S>::new([0.0, -G, 0.0], [1, 60], 4, 0.0, 1.0);
+            scene.material = scene.material.with_law(law);
+            scene.ground([0.0, 1.0, 0.0]);
+            let cube = scene.solid(1.0, Shape::Cuboid(half), [0.0, 2.0, 0.0]);
+            scene.bodies[cube].set_orientation(scene::quat(orientation));
+            let energy = |scene: &Scene<S>| {
+                let square = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>();
+                0.5 * square(scene.velocity(cube))
+                    + 0.5 * inertia * square(scene.spin(cube))
+                    + G * scene.position(cube)[1]
+            };
+            // What is left to lose: down to lying flat.
+            let flat = 0.5 * G;
+            let first = energy(&scene) - flat;
+            let (mut most, mut bounces) = (0.0f64, 0);
+            for _ in 0..600 {
+                scene.step();
+                most = most.max((energy(&scene) - flat) / first);
+                bounces += usize::from(scene.touches.iter().any(|touch| touch.approach > 0.5));
+            }
+            eprintln!(
+                "{name} {what} {law:?}: at most {most:.4}, at the end {:.4}, {bounces} impacts",
+                (energy(&scene) - flat) / first
+            );
+            assert!(bounces >= 5, "{name}, {what}, {law:?}: {bounces} impacts");
+            match law {
+                RestitutionLaw::EnergySafe => assert!(most <= bounds::SAFE, "{name}, {what}: {most}"),
+                RestitutionLaw::Newton => grown = grown.max(most),
+            }
+        }
+    }
+    assert!(grown > bounds::SAFE, "{name}: the other law, too, has no more than {grown}");
+}
+
+/// SimBenchmark's bouncing: 49 balls that keep their energy, by the mean square of the error in it over 20 s. The floor is that of
+/// exact bounces between sub-steps of symplectic Euler, whose energy is off by m g dt v/2.
+fn energy_of_bounces<S: HostScalar>(name: &str, steps: &[([u16; 2], f64)]) {
+    const MASS: f64 = 490.0;
+    for &(seconds, bound) in steps {
+        let mut scene = Scene::<S>::new([0.0, -G, 0.0], seconds, 1, 0.0, 1.0);
+        scene.ground([0.0, 1.0, 0.0]);
+        let ball = scene.solid(10.0, Shape::Sphere(0.1), [0.0, 5.0, 0.0]);
+        let dt = scene.dt;
+        let (mut sum, count) = (0.0, (20.0 / dt).round() as usize);
+        for _ in 0..count {
+            scene.step();
+            let [_, v, _] = scene.velocity(ball);
+            sum += (MASS * (0.5 * v * v + G * (scene.position(ball)[1] - 5.0))).powi(2);
+        }
+        let floor = (MASS * G * dt / 2.0).powi(2) * 2.0 * G * 4.9 / 3.0;
+        let part = sum / count as f64 / floor;
+        eprintln!("{name}, dt {dt}: {part}");
+        assert!(part <= bound, "{name}, dt {dt}: {part} of the floor");
+    }
+}
+
+#[cfg(feature = "f64")]
+#[test]
+fn energy_of_bounces_f64() {
+    let bound = bounds::BOUNCING;
+    let fine = [([1, 50_000], bound), ([1, 10_000], bound), ([1, 2500], bound), ([1, 1000], bound)];
+    energy_of_bounces::<f64>("f64", &fine);
+    energy_of_bounces::<f64>(
+        "f64",
+        &[([1, 250], bound), ([1, 100], bound), ([1, 25], bound), ([1, 10], bounds::BOUNCING_COARSE)],
+    );
+}
+
+#[cfg(feature = "f32")]
+#[test]
+fn energy_of_bounces_f32() {
+    let bound = bounds::BOUNCING;
+    energy_of_bounces::<f32>(
+        "f32",
+        &[
+            ([1, 2500], bound),
+            ([1, 1000], bound),
+            ([1, 250], bound),
+            ([1, 100], bound),
+            ([1, 25], bound),
+            ([1, 10], bounds::BOUNCING_COARSE),
+        ],
+    );
 }

@@ -22,6 +22,8 @@ pub struct ManifoldConstraint<S: Scalar> {
     pub(super) normal: Vec3<S::Unit>,
     pub(super) tangents: [Vec3<S::Unit>; 2],
     pub(super) restitution: S::Unit,
+    /// Where the rebound must not raise the energy: the work of the normal impulses so far.
+    pub(super) work: Option<S::Scaled>,
 }
 
 /// A contact point prepared for a step: working space that the caller lends.
@@ -44,10 +46,12 @@ pub struct PointConstraint<S: Scalar> {
     pub(super) approach: S,
     pub(super) change: S,
     pub(super) gap_struck: S,
+    /// When work was last counted.
+    pub(super) speed: S,
     pub(super) feature: FeatureId,
     pub(super) bearing: [i8; 3],
-    /// Without an impulse in the step before.
-    pub(super) fresh: bool,
+    /// With an impulse in the step before.
+    pub(super) lasting: bool,
     pub(super) struck: bool,
     /// The normal goes through the centres of mass: it turns neither body.
     pub(super) central: bool,
@@ -67,6 +71,7 @@ impl<S: Scalar> ManifoldConstraint<S> {
         normal: Vec3::ZERO,
         tangents: [Vec3::ZERO; 2],
         restitution: <S::Unit as Scalar>::ZERO,
+        work: None,
     };
 
     /// Which points are its own.
@@ -91,9 +96,10 @@ impl<S: Scalar> PointConstraint<S> {
         approach: S::ZERO,
         change: S::ZERO,
         gap_struck: S::ZERO,
+        speed: S::ZERO,
         feature: FeatureId(0),
         bearing: [0; 3],
-        fresh: true,
+        lasting: false,
         struck: false,
         central: false,
         apart: false,

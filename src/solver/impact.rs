@@ -8,9 +8,9 @@ use crate::scalar::{Scalar, StepArithmetic};
 impl<S: Scalar> PointConstraint<S> {
     /// Before a sub-step: how fast the points approach, gravity not yet added.
     #[inline(always)]
-    pub(super) fn note_approach(&mut self, pair: &Pair<'_, S>, normal: &Vec3<S::Unit>) {
+    pub(super) fn note_approach(&mut self, speed: S) {
         if !self.struck {
-            self.change = self.normal_speed(pair, normal);
+            self.change = speed;
         }
     }
 
@@ -38,7 +38,7 @@ impl<S: Scalar> PointConstraint<S> {
         S::Step::speed_after(S::Step::times(met, restitution), self.change, gap.negated()).plus(half)
     }
 
-    /// Gives the points the speed `speed`, and returns the normal impulse of it and of the sub-step together.
+    /// Gives the points the speed `speed`, and returns the normal impulse that it takes beside that of the sub-step.
     #[inline(always)]
     pub(super) fn rebound(&mut self, pair: &mut Pair<'_, S>, normal: &Vec3<S::Unit>, speed: S) -> S {
         let before = self.impulse[0];
@@ -47,6 +47,6 @@ impl<S: Scalar> PointConstraint<S> {
         let change = after.minus(before);
         self.total = self.total.plus(change);
         self.push_normal(pair, normal, change);
-        after
+        change
     }
 }

@@ -53,7 +53,7 @@ pub(super) fn integrate_position<S: Scalar>(
     places: Places<S>,
 ) {
     motion.sum = motion.sum.plus(&motion.now);
-    if !motion.isotropic {
+    if motion.uneven {
         let change = spin(body, motion.now.w, h, S::Step::more(places, motion.size));
         motion.now.w += change;
         motion.free.w += change;
@@ -74,13 +74,10 @@ pub(super) fn store<S: Scalar>(
     let (z, clipped_z) = S::Step::travel(place.z, moved.z, h, places, rest_z);
     body.position = Vec3::new(x, y, z);
     let saturated = clipped_x | clipped_y | clipped_z;
-    if motion.isotropic && motion.sum.w == Vec3::ZERO {
-        return saturated | store_velocity(body, motion, places);
-    }
-    if motion.isotropic {
-        body.set_orientation_alone(turn(body.orientation(), motion.sum.w, h, turn_places));
-    } else {
+    if motion.uneven {
         body.set_orientation(body.orientation());
+    } else if motion.sum.w != Vec3::ZERO {
+        body.set_orientation_alone(turn(body.orientation(), motion.sum.w, h, turn_places));
     }
     saturated | store_velocity(body, motion, places)
 }

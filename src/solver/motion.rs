@@ -15,16 +15,17 @@ pub struct Motion<S: Scalar> {
     pub(super) sum: Velocity<S>,
     pub(super) size: <S::Step as StepArithmetic<S>>::Places,
     pub(super) part: Part,
-    pub(super) isotropic: bool,
+    /// Its inertia is not the same about every axis.
+    pub(super) uneven: bool,
 }
 
 /// What part a body takes in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Part {
+    /// Only the caller moves it. The first, so that new motions are zeros and a static world lies in `.bss`.
+    Immovable,
     /// Contacts and gravity move it.
     Moves,
-    /// Only the caller moves it.
-    Immovable,
     /// It stays where it is.
     Held,
     /// Its numbers are not finite: it touches nothing.
@@ -60,7 +61,7 @@ impl<S: Scalar> Motion<S> {
         sum: Velocity::ZERO,
         size: S::Step::NO_PLACES,
         part: Part::Immovable,
-        isotropic: true,
+        uneven: false,
     };
 
     /// Reads what a body is, not yet how it moves.
@@ -72,7 +73,7 @@ impl<S: Scalar> Motion<S> {
             Part::Immovable
         } else {
             self.size = S::Step::size(body.inv_mass, body.exponent);
-            self.isotropic = body.is_isotropic();
+            self.uneven = !body.is_isotropic();
             Part::Moves
         };
     }

@@ -18,6 +18,8 @@ pub(super) struct Frame<'a, S: Scalar> {
     pub normal: UnitVec3<S>,
     pub tangents: [UnitVec3<S>; 2],
     pub friction: S,
+    /// What the gaps lack.
+    pub lack: S,
     pub inv_h: S::Scaled,
     pub places: Places<S>,
 }
@@ -56,7 +58,7 @@ impl<S: Scalar> Frame<'_, S> {
         }
         slot.block = weights.block;
         slot.friction = weights.friction;
-        slot.gap = S::Step::gap(point.separation, self.inv_h, self.places);
+        slot.gap = S::Step::gap(point.separation, self.lack, self.inv_h, self.places);
         slot.drive = self.drive(r[0], [&n, &x, &y]);
         slot.feature = point.feature;
         slot.bearing = S::Step::bearing(&point.r_b);
@@ -64,7 +66,7 @@ impl<S: Scalar> Frame<'_, S> {
         let [along, aside_x, aside_y] = warm.impulse;
         let moved = |impulse| S::Step::moved(impulse, warm.places, self.places);
         slot.impulse = [moved(along), moved(aside_x), moved(aside_y)];
-        slot.fresh = along == S::ZERO;
+        slot.lasting = along != S::ZERO;
         (slot.total, slot.approach, slot.change, slot.gap_struck) = (S::ZERO, S::ZERO, S::ZERO, S::ZERO);
         (slot.struck, slot.apart) = (false, false);
     }

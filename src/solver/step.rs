@@ -1,6 +1,7 @@
 //! One step over the caller's bodies.
 
 use super::constraint::{ManifoldConstraint, PointConstraint};
+use super::energy::draw_back;
 use super::integrate::{integrate_position, integrate_velocity, lift, store, store_velocity};
 use super::motion::{Motion, Pair, Part};
 use super::prepare::Frame;
@@ -8,10 +9,10 @@ use super::settings::Settings;
 use super::touch::Touch;
 use super::warm_start::{Kept, WarmStart};
 use crate::body::Body;
-use crate::contact::Material;
+use crate::contact::{Material, RestitutionLaw};
 use crate::manifold::Manifold;
 use crate::math::{Vec3, clamp};
-use crate::scalar::{Scalar, StepArithmetic};
+use crate::scalar::{Scalar, Scaled, StepArithmetic};
 
 type Places<S> = <<S as Scalar>::Step as StepArithmetic<S>>::Places;
 
@@ -52,6 +53,8 @@ pub struct Constraints<'a, S: Scalar> {
     points: usize,
     places: Places<S>,
     fall: Vec3<S>,
+    /// Bodies at rest are as fast as that.
+    noise: S,
     /// A manifold has points that rebound.
     bounces: bool,
 }
@@ -96,7 +99,9 @@ impl<'a, S: Scalar> Step<'a, S> {
             }
         }
         let fall = Vec3::new(gain(g.x, places), gain(g.y, places), gain(g.z, places));
-        let constraints = Constraints { bodies, buffers, manifolds: 0, points: 0, places, fall, bounces: false };
+        let push_out_speed = S::Step::lift(settings.push_out_speed, S::Step::NO_REST, places);
+        let noise = S::Step::times(push_out_speed, S::Unit::from_scaled(S::Scaled::ratio(1, 1000)).0);
+        let constraints = Constraints { bodies, buffers, manifolds: 0, points: 0, places, fall, noise, bounces: false };
         Self { constraints, settings: *settings, report }
     }
 
@@ -161,6 +166,7 @@ impl<'a, S: Scalar> Step<'a, S> {
             normal,
             tangents,
             friction: material.friction(),
+            lack: S::Step::lack([&body_a.rests.position, &body_b.rests.position], &manifold.normal.get()),
             inv_h: self.settings.inv_h,
             places: *places,
         };
@@ -179,6 +185,10 @@ impl<'a, S: Scalar> Step<'a, S> {
         slot.normal = S::Step::direction(&normal.get());
         slot.tangents = [S::Step::direction(&tangents[0].get()), S::Step::direction(&tangents[1].get())];
         slot.bounces = material.restitution() > S::ZERO;
+        slot.work = match material.law {
+            RestitutionLaw::EnergySafe if slot.bounces => Some(S::Scaled::ZERO),
+            _ => None,
+        };
         if slot.bounces {
             slot.restitution = S::Unit::from_scaled(material.restitution().to_scaled()).0;
             *bounces = true;
@@ -229,7 +239,7 @@ impl<'a, S: Scalar> Step<'a, S> {
     }
 
     fn sub_step(&mut self, first: bool) {
-        self.constraints.note_approaches();
+        self.constraints.note_approaches(first);
         self.constraints.integrate_velocities(&self.settings);
         if first {
             self.constraints.warm_start();
@@ -261,19 +271,26 @@ impl<S: Scalar> Constraints<'_, S> {
         }
     }
 
-    fn note_approaches(&mut self) {
+    fn note_approaches(&mut self, first: bool) {
         if !self.bounces {
             return;
         }
         let Buffers { motions, manifolds, points } = &mut self.buffers;
-        for manifold in manifolds.iter().take(self.manifolds) {
+        for manifold in manifolds.iter_mut().take(self.manifolds) {
             if !manifold.bounces {
                 continue;
             }
             let Some(points) = points.get_mut(manifold.range()) else { return };
             let Some(pair) = Pair::of(motions, manifold) else { return };
             for point in points {
-                point.note_approach(&pair, &manifold.normal);
+                let speed = point.normal_speed(&pair, &manifold.normal);
+                point.note_approach(speed);
+                match &mut manifold.work {
+                    // The impulse is still that of the step before.
+                    Some(_) if first => point.speed = speed,
+                    Some(work) => *work = point.count_work(*work, speed),
+                    None => {}
+                }
             }
         }
     }
@@ -339,6 +356,7 @@ impl<S: Scalar> Constraints<'_, S> {
         if !self.bounces {
             return;
         }
+        self.note_approaches(false);
         let threshold = self.fall.length();
         let Buffers { motions, manifolds, points } = &mut self.buffers;
         for manifold in manifolds.iter().take(self.manifolds) {
@@ -349,6 +367,11 @@ impl<S: Scalar> Constraints<'_, S> {
             let Some(mut pair) = Pair::of(motions, manifold) else { return };
             let mut rebounds = [None; 4];
             let mut free = rebounds.iter_mut();
+            if manifold.work.is_some() {
+                for point in points.iter_mut() {
+                    point.speed = point.normal_speed(&pair, &manifold.normal);
+                }
+            }
             for point in points.iter_mut() {
                 let Some(rebound) = free.next() else { break };
                 if point.struck && point.approach.plus(threshold) < S::ZERO {
@@ -359,12 +382,15 @@ impl<S: Scalar> Constraints<'_, S> {
                     *rebound = Some(point.rebound(&mut pair, &manifold.normal, speed));
                 }
             }
+            if let Some(work) = manifold.work {
+                draw_back(points, &mut pair, &manifold.normal, &mut rebounds, work);
+            }
             let mut rebounds = rebounds.iter();
             for point in points.iter_mut() {
                 let Some(rebound) = rebounds.next() else { break };
-                if let Some(impulse) = rebound {
+                if let Some(change) = rebound {
                     let kept = point.impulse;
-                    point.solve_friction(&mut pair, &manifold.tangents, *impulse);
+                    point.solve_friction(&mut pair, &manifold.tangents, kept[0].plus(*change));
                     point.impulse = kept;
                 }
             }
@@ -373,6 +399,8 @@ impl<S: Scalar> Constraints<'_, S> {
 
     /// How each manifold pushed in this step: calls `note` with its index, in the order added.
     pub fn touches(&mut self, mut note: impl FnMut(usize, &Touch<S>)) {
+        let threshold = self.fall.length();
+        let noise = if threshold > self.noise { threshold } else { self.noise };
         let (bodies, manifolds) = (&*self.bodies, &*self.buffers.manifolds);
         let mut index = 0usize;
         for manifold in manifolds.iter().take(self.manifolds) {
@@ -381,7 +409,7 @@ impl<S: Scalar> Constraints<'_, S> {
             let fall = manifold.fall(&self.fall, body, manifold.a.and_then(|a| bodies.get(usize::from(a))));
             let mut touch = Touch::NONE;
             for point in points {
-                touch.add(point, body.inv_mass, fall, self.places);
+                touch.add(point, body.inv_mass, fall, noise, self.places);
             }
             note(index, &touch);
             index = index.wrapping_add(1);

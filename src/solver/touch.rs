@@ -12,8 +12,9 @@ pub struct Touch<S: Scalar> {
     pub pushed: bool,
     /// The normal impulse over the whole step, rebound included: the sum over points and sub-steps, N s.
     pub impulse: S::Scaled,
-    /// The highest speed at which points met that did not push in the step before, m/s; zero where there are none. As it was
-    /// before the gravity of the sub-step in which they met.
+    /// The highest speed at which points met that did not push in the step before, m/s; zero where there are none, or none
+    /// faster than what gravity adds in a sub-step or a thousandth of the push-out speed: a body at rest drifts off and back
+    /// as fast as that. As it was before the gravity of the sub-step in which they met.
     pub approach: S,
 }
 
@@ -21,13 +22,14 @@ impl<S: Scalar> Touch<S> {
     pub(super) const NONE: Self = Self { pushed: false, impulse: S::Scaled::ZERO, approach: S::ZERO };
 
     /// Takes a point into account, on a body with that inverse mass; `fall` is what gravity alone adds to the relative speed, where
-    /// the point has not noted what was added.
+    /// the point has not noted what was added. What is no faster than `noise` does not count.
     #[inline(always)]
     pub(super) fn add(
         &mut self,
         point: &PointConstraint<S>,
         inv_mass: S::Scaled,
         fall: Option<S>,
+        noise: S,
         places: <S::Step as StepArithmetic<S>>::Places,
     ) {
         if point.total > S::ZERO {
@@ -35,11 +37,12 @@ impl<S: Scalar> Touch<S> {
             let [_, column] = &point.normal;
             self.impulse = self.impulse + S::Step::impulse(point.total, places, column.share, inv_mass);
         }
-        if point.fresh && point.struck {
+        if !point.lasting && point.struck {
             let change = fall.map_or(point.change, S::negated);
-            let (speed, _, _) = S::Step::lower(point.approach.plus(change).negated(), places);
-            if speed > self.approach {
-                self.approach = speed;
+            let speed = point.approach.plus(change).negated();
+            if speed > noise {
+                let (speed, _, _) = S::Step::lower(speed, places);
+                self.approach = if speed > self.approach { speed } else { self.approach };
             }
         }
     }

@@ -41,3 +41,8 @@ pub const NETWORK: f64 = 1.05;
 pub const ASIDE: f64 = 0.1;
 /// Impulses and approach speeds that a step tells.
 pub const IMPULSE: f64 = 0.01;
+/// The most energy of a box that bounces under the safe law, in parts of what it had.
+pub const SAFE: f64 = 1.1;
+/// Errors of a bouncing ball's energy, squared, in parts of exact bounces' seen through symplectic Euler; and in steps of 0.1 s.
+pub const BOUNCING: f64 = 1.1;
+pub const BOUNCING_COARSE: f64 = 1.15;
