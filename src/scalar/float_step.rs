@@ -60,13 +60,8 @@ macro_rules! float_step {
             }
 
             #[inline(always)]
-            fn lack([a, b]: [&[$float; 3]; 2], d: &Vec3<$float>) -> $float {
-                (Vec3::from_array(*b) - Vec3::from_array(*a)).dot(*d)
-            }
-
-            #[inline(always)]
-            fn gap(separation: $float, lack: $float, inv_h: $float, (): ()) -> $float {
-                (separation + lack) * inv_h
+            fn gap(separation: $float, inv_h: $float, (): ()) -> $float {
+                separation * inv_h
             }
 
             #[inline(always)]

@@ -77,11 +77,8 @@ pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 's
     fn changed(x: S, rest: Self::Rest, change: S::Scaled) -> (S, Self::Rest, bool);
     /// An acceleration over a sub-step.
     fn gain(acceleration: S, h: S::SubStep, places: Self::Places) -> S;
-    /// What positions that are rounded lack of the second's distance from the first along a direction, in the unit of the
-    /// remainders: 2^-16 of the last place in fixed point.
-    fn lack(remainders: [&[S::Remainder; 3]; 2], d: &Vec3<S::Unit>) -> S;
-    /// A gap, and what it lacks, as the speed that closes it in a sub-step.
-    fn gap(separation: S, lack: S, inv_h: S::Scaled, places: Self::Places) -> S;
+    /// A gap as the speed that closes it in a sub-step.
+    fn gap(separation: S, inv_h: S::Scaled, places: Self::Places) -> S;
     /// A position after the sum of its speeds over sub-steps, with what the format cannot hold in `remainder`; and whether the
     /// end of the range was met.
     fn travel(x: S, moved: S, h: S::SubStep, places: Self::Places, remainder: &mut S::Remainder) -> (S, bool);

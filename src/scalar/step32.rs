@@ -349,18 +349,9 @@ where
     }
 
     #[inline(always)]
-    fn lack([a, b]: [&[u16; 3]; 2], d: &Vec3<I2F30>) -> FixedI32<Frac> {
-        let [ax, ay, az] = *a;
-        let [bx, by, bz] = *b;
-        let less = |b: u16, a: u16| (b as i32).wrapping_sub(a as i32);
-        FixedI32::from_bits(round::<30>(dot([less(bx, ax), less(by, ay), less(bz, az)], bits(d))))
-    }
-
-    #[inline(always)]
-    fn gap(separation: FixedI32<Frac>, lack: FixedI32<Frac>, inv_h: Scaled32, places: i32) -> FixedI32<Frac> {
+    fn gap(separation: FixedI32<Frac>, inv_h: Scaled32, places: i32) -> FixedI32<Frac> {
         let down = 30i32.wrapping_sub(inv_h.exponent()).wrapping_sub(places);
-        let fine = product(lack.to_bits(), inv_h.mantissa()) >> 16;
-        FixedI32::from_bits(shifted(product(separation.to_bits(), inv_h.mantissa()).wrapping_add(fine), down))
+        FixedI32::from_bits(shifted(product(separation.to_bits(), inv_h.mantissa()), down))
     }
 
     #[inline(always)]

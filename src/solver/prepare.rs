@@ -18,8 +18,6 @@ pub(super) struct Frame<'a, S: Scalar> {
     pub normal: UnitVec3<S>,
     pub tangents: [UnitVec3<S>; 2],
     pub friction: S,
-    /// What the gaps lack.
-    pub lack: S,
     pub inv_h: S::Scaled,
     pub places: Places<S>,
 }
@@ -58,7 +56,7 @@ impl<S: Scalar> Frame<'_, S> {
         }
         slot.block = weights.block;
         slot.friction = weights.friction;
-        slot.gap = S::Step::gap(point.separation, self.lack, self.inv_h, self.places);
+        slot.gap = S::Step::gap(point.separation, self.inv_h, self.places);
         slot.drive = self.drive(r[0], [&n, &x, &y]);
         slot.feature = point.feature;
         slot.bearing = S::Step::bearing(&point.r_b);

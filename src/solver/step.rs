@@ -166,7 +166,6 @@ impl<'a, S: Scalar> Step<'a, S> {
             normal,
             tangents,
             friction: material.friction(),
-            lack: S::Step::lack([&body_a.rests.position, &body_b.rests.position], &manifold.normal.get()),
             inv_h: self.settings.inv_h,
             places: *places,
         };
