@@ -1,5 +1,5 @@
 //! Scenes that the units check accepts go in fixed point as in f64; what it refuses goes wrong.
-#![cfg(any(feature = "f32", feature = "fixed", feature = "micromath"))]
+#![cfg(all(feature = "f64", any(feature = "f32", feature = "fixed", feature = "micromath")))]
 
 #[macro_use]
 #[path = "support/each_format.rs"]

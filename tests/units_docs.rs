@@ -7,7 +7,9 @@ mod each_format;
 #[path = "support/host.rs"]
 mod host;
 
-use carom::units::{Format, NumberFormat, Property, Quantity, Scene, Units};
+#[cfg(feature = "fixed")]
+use carom::units::Units;
+use carom::units::{Format, NumberFormat, Property, Quantity, Scene};
 use host::HostScalar;
 
 each_format!(ranges, examples);

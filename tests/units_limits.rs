@@ -1,5 +1,5 @@
 //! The limits of the units check: at them a scene still goes, beyond them it does not.
-#![cfg(feature = "fixed")]
+#![cfg(all(feature = "fixed", feature = "f64"))]
 
 #[path = "support/host.rs"]
 mod host;
