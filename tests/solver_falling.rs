@@ -104,6 +104,7 @@ fn safe_boxes<S: HostScalar>(name: &str) {
 
 /// SimBenchmark's bouncing: 49 balls that keep their energy, by the mean square of the error in it over 20 s. The floor is that of
 /// exact bounces between sub-steps of symplectic Euler, whose energy is off by m g dt v/2.
+#[cfg(any(feature = "f32", feature = "f64"))]
 fn energy_of_bounces<S: HostScalar>(name: &str, steps: &[u16], bound: f64) {
     const MASS: f64 = 490.0;
     for &per_second in steps {
