@@ -141,15 +141,7 @@ fn world<S: HostScalar>(name: &str, seed: u64, worst: &mut Worst) {
 
 fn worlds<S: HostScalar>(name: &str, share: u64) {
     let long = std::env::var_os("CAROM_LONG").is_some();
-    // With all number types in one build each has had its turn.
-    let again = cfg!(all(feature = "f32", feature = "f64", feature = "fixed", feature = "micromath"));
-    let count = if long {
-        10 * share
-    } else if again {
-        share / 10
-    } else {
-        share
-    };
+    let count = if long { 10 * share } else { share };
     let mut worst = Worst { beyond: 0.0, energy: 0.0, dropped: 0, steps: 0, contacts: 0, asleep: 0 };
     for seed in 0..count {
         world::<S>(name, seed, &mut worst);

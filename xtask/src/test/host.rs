@@ -1,4 +1,5 @@
-//! The host's stage: tests in all feature sets, and every combination of features compiles.
+//! The host's stage: tests with the default features and with all, each number type alone, and every combination of features
+//! compiles.
 
 use crate::boards::{FEATURES, SAMPLE_TARGETS};
 use crate::process;
@@ -8,19 +9,19 @@ use anyhow::Result;
 use std::process::Command;
 use std::time::Instant;
 
+/// What runs in each number type alone: with all of them in one build the other tests have seen it.
+const ALONE: [&str; 4] = ["--test", "determinism", "--test", "properties"];
+
 /// Runs the stage.
 pub fn run(toolchain: &Toolchain) -> Result<()> {
-    let sets: [&[&str]; 6] = [
-        &[],
-        &["--no-default-features", "--features", "fixed"],
-        &["--no-default-features", "--features", "f64"],
-        &["--no-default-features", "--features", "micromath"],
-        &["--all-features"],
-        &["--package", "xtask"],
-    ];
-    for set in sets {
-        let mut cargo = own_cargo();
-        timed(cargo.args(["test", "--quiet"]).args(set))?;
+    for set in [&[][..], &["--all-features"], &["--package", "xtask"]] {
+        timed(own_cargo().args(["test", "--quiet"]).args(set))?;
+    }
+    for feature in FEATURES {
+        let alone = ["--quiet", "--no-default-features", "--features", feature];
+        timed(own_cargo().arg("check").args(alone).args(["--tests", "--examples"]))?;
+        timed(own_cargo().arg("test").args(alone).arg("--doc"))?;
+        timed(own_cargo().arg("test").args(alone).args(ALONE))?;
     }
 
     println!("  the library in all {} combinations of features, for this machine and two targets", 1 << FEATURES.len());
