@@ -83,13 +83,16 @@ pub fn sizes(snapshot: &Snapshot) -> String {
     table.render()
 }
 
+/// The README's table of accuracy has this in its head, and no other.
+const HEAD: &str = "rows that fit";
+
 /// Accuracy, from the README's own table, beside cost.
 pub fn formats(snapshot: &Snapshot, readme: &str) -> Result<String> {
     let names = ["", "J, median", "v, largest", "impulse M0", "M3", "M4F", "with sliding friction M0", "M3", "M4F"];
     let mut table = Grid::new(names);
     for scalar in SCALARS {
         let start = format!("| `{scalar}` | ");
-        let line = readme.lines().find_map(|line| line.strip_prefix(&start));
+        let line = readme.lines().skip_while(|line| !line.contains(HEAD)).find_map(|line| line.strip_prefix(&start));
         let line = line.with_context(|| format!("the README states no accuracy of {scalar}"))?;
         // Behind the name: rows, median of J, largest of J, largest of v.
         let accuracy: Vec<&str> = line.split('|').map(str::trim).collect();
