@@ -69,7 +69,7 @@ fixed_number! {
 
 /// What an example does, in any number type.
 pub trait Job {
-    /// Three formats of it do not fit the flash of the smallest board: firmware for that leaves I8F24 out.
+    /// Three formats of it do not fit 256 KB of flash: firmware leaves I8F24 out.
     const LARGE: bool = false;
 
     fn run<S: Number>(&self) -> Exit;
@@ -98,10 +98,9 @@ pub fn dispatch(job: &impl Job) -> Exit {
     Exit::Failure
 }
 
-/// Whether the number type is not in this firmware. (Only the smallest boards have no atomic swap.)
+/// Whether the number type is not in this firmware.
 fn left_out<J: Job, S: Number>(_: &J) -> bool {
-    let smallest = cfg!(all(target_os = "none", not(target_has_atomic = "ptr")));
-    J::LARGE && smallest && S::STEP.to_scaled() == S::Scaled::from_parts(1, -24)
+    J::LARGE && cfg!(target_os = "none") && S::STEP.to_scaled() == S::Scaled::from_parts(1, -24)
 }
 
 /// In a frame of its own: what the number types keep on the stack does not add up.
