@@ -10,7 +10,7 @@ mod look;
 mod meet;
 mod slot;
 mod step;
-mod touch;
+mod wake;
 
 use heapless::Vec;
 
@@ -36,8 +36,8 @@ use crate::solver::{ManifoldConstraint, Motion, PointConstraint, WarmStart};
 /// The places of bodies. (`enumerate` would count without a bound, and so with a check.)
 const PLACES: core::ops::Range<u16> = 0..u16::MAX;
 
-/// Bodies with shapes, and what is between them: up to `BODIES` bodies (65,535 at most), and in a step up to `MANIFOLDS` pairs of surfaces
-/// that touch or are about to, with up to `POINTS` points in all.
+/// Bodies with shapes, and what is between them: up to `BODIES` bodies, and in a step up to `MANIFOLDS` pairs of surfaces that touch
+/// or are about to, with up to `POINTS` points in all: 65,535, 65,535 and 32,767 at most.
 ///
 /// `Sh` is the type of the shapes: one of [`Sphere`](crate::Sphere), [`Cuboid`](crate::Cuboid) and so on, or a set of them made by
 /// [`shapes!`](crate::shapes). Only the pairs of that type are linked.
@@ -96,7 +96,8 @@ impl<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: u
     /// No bodies.
     #[must_use]
     pub const fn new() -> Self {
-        const { assert!(BODIES < 1 << 16 && MANIFOLDS < 1 << 16 && POINTS < 1 << 16, "a capacity is 65,535 at most") };
+        // Places are numbers of 16 bits, those of kept impulses too, of which there may be as many again.
+        const { assert!(BODIES < 1 << 16 && MANIFOLDS < 1 << 16 && POINTS < 1 << 15, "a capacity is too large") };
         Self {
             bodies: Vec::new(),
             slots: Vec::new(),
@@ -261,7 +262,7 @@ impl<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: u
     /// Wakes a body with all that it touches.
     fn touch(&mut self, handle: BodyHandle) -> Result<usize, HandleError> {
         let index = self.find(handle)?;
-        touch::wake(&mut self.slots, &self.contacts, handle.index);
+        wake::wake(&mut self.slots, &self.contacts, handle.index);
         if let Some(slot) = self.slots.get_mut(index) {
             slot.touched = true;
             slot.still = 0;
@@ -278,7 +279,8 @@ impl<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: u
 
     fn vacate(&mut self, index: u16) {
         if let Some(slot) = self.slots.get_mut(usize::from(index)) {
-            *slot = Slot { generation: slot.generation.wrapping_add(1), ..Slot::VACANT };
+            // Touched, so that the next step takes its box away.
+            *slot = Slot { generation: slot.generation.wrapping_add(1), touched: true, ..Slot::VACANT };
         }
         if let Some(body) = self.bodies.get_mut(usize::from(index)) {
             *body = Body::immovable();

@@ -25,6 +25,7 @@ each_number!(
     phases,
     impacts,
     sleep,
+    neighbours_sleep,
     edges_are_no_bed,
     filters_and_sensors,
     driven,
@@ -169,6 +170,22 @@ fn sleep<S: HostScalar>(name: &str) {
     assert!(stage.position(apart)[1] < 0.4, "{name}: without ground it falls");
 }
 
+/// Two that lie beside each other, hardly apart, both fall asleep, whichever came first.
+fn neighbours_sleep<S: HostScalar>(name: &str) {
+    let mut stage = Stage::<S>::new(0.5, 0.0);
+    stage.solid(1.0, Shape::Cuboid([0.5; 3]), [0.0, 0.5, 0.0]);
+    stage.run(2.0);
+    assert_eq!(stage.report.asleep, 1, "{name}");
+    let late = stage.solid(1.0, Shape::Cuboid([0.5; 3]), [1.002, 0.5, 0.0]);
+    stage.step();
+    assert_eq!(stage.report.asleep, 0, "{name}: the new one wakes the other");
+    stage.run(2.0);
+    assert_eq!(stage.report.asleep, 2, "{name}: {:?}", stage.position(late));
+    let hash = stage.world.hash();
+    stage.run(1.0);
+    assert_eq!(stage.world.hash(), hash, "{name}: and stay so");
+}
+
 /// A cube on its edge does not fall asleep there.
 fn edges_are_no_bed<S: HostScalar>(name: &str) {
     for past in [0.5f64, 0.05, 0.01] {
@@ -228,6 +245,13 @@ fn driven<S: HostScalar>(name: &str) {
     let (under, above) = (stage.position(plate)[1], stage.position(cube)[1]);
     assert!((under - 1.5).abs() < 0.01, "{name}: the lift is at {under}");
     assert!((above - under - 0.3).abs() < 0.01, "{name}: and the cube on it, {above}");
+    // Slower than sleepers may be: it goes up with the lift all the same.
+    stage.world.body_mut(plate).expect("a body").linear_velocity = vector([0.0, 0.015625, 0.0]);
+    stage.run(4.0);
+    let (under, above) = (stage.position(plate)[1], stage.position(cube)[1]);
+    assert!((under - 1.5625).abs() < 0.01, "{name}: the slow lift is at {under}");
+    let speed = floats(stage.world.body(cube).expect("a body").linear_velocity)[1];
+    assert!((above - under - 0.3).abs() < 1e-3 && (speed - 0.015625).abs() < 2e-3, "{name}: {above} at {speed} m/s");
     stage.world.body_mut(plate).expect("a body").linear_velocity = vector([0.5, 0.0, 0.0]);
     stage.run(1.5);
     let speed = floats(stage.world.body(cube).expect("a body").linear_velocity)[0];
@@ -335,12 +359,15 @@ fn what_is_not_finite_is_quarantined() {
         stage.step();
         assert_eq!(stage.report.quarantined, 1);
         assert_eq!(stage.world.is_quarantined(sick), Ok(true));
+        let of_it = stage.world.contacts().filter(|contact| contact.bodies.contains(&sick));
+        let phases: Vec<Phase> = of_it.map(|contact| contact.phase).collect();
+        assert!(phases.iter().all(|phase| *phase == Phase::Ended) && !phases.is_empty(), "{phases:?}");
         stage.run(0.2);
         assert!(stage.world.body(well).expect("a body").check().is_ok());
         assert!(stage.world.contacts().all(|contact| contact.phase == Phase::Ended || !contact.bodies.contains(&sick)));
         let mended = stage.world.body_mut(sick).expect("a body");
         mended.linear_velocity = vector([0.0; 3]);
-        stage.step();
+        stage.run(0.3);
         assert_eq!(stage.report.quarantined, 0);
     }
     let body = Body::immovable().at(carom::Vec3::new(f32::NAN, 0.0, 0.0));
@@ -348,12 +375,25 @@ fn what_is_not_finite_is_quarantined() {
     assert_eq!(stage.world.insert(body, Shape::Sphere(0.5).build::<f32>(), material), Err(InsertError::NotFinite));
 }
 
-/// A world costs no flash: all its bits are zero.
-#[cfg(feature = "fixed")]
+/// A world costs no flash: all its bits are zero, so that it lies where a program has no bytes of its own.
+#[cfg(all(feature = "fixed", feature = "f32", target_os = "linux"))]
 #[test]
-fn an_empty_world_is_all_zero() {
-    use fixed::types::I16F16;
-    static WORLD: World<I16F16, Piece<I16F16>, 4, 8, 16> = World::new();
-    assert_eq!(World::<I16F16, Piece<I16F16>, 4, 8, 16>::RAM, size_of_val(&WORLD));
-    assert_eq!(WORLD.bodies().count(), 0);
+fn an_empty_world_takes_no_flash() {
+    use std::ptr::addr_of;
+    use std::sync::Mutex;
+
+    // Of the linker: the part of the memory that is zero when the program starts.
+    unsafe extern "C" {
+        static __bss_start: u8;
+        static _end: u8;
+    }
+    type Fixed = fixed::types::I16F16;
+    static FIXED: Mutex<World<Fixed, Piece<Fixed>, 4, 8, 16>> = Mutex::new(World::new());
+    static FLOAT: Mutex<World<f32, Piece<f32>, 4, 8, 16>> = Mutex::new(World::new());
+    static OTHER: Mutex<u8> = Mutex::new(1);
+    let is_zero = |place: usize| (addr_of!(__bss_start) as usize..addr_of!(_end) as usize).contains(&place);
+    assert!(is_zero(addr_of!(FIXED) as usize) && is_zero(addr_of!(FLOAT) as usize));
+    assert!(!is_zero(addr_of!(OTHER) as usize), "what is not zero lies elsewhere");
+    assert_eq!(FIXED.lock().expect("nobody else").bodies().count(), 0);
+    assert_eq!(*OTHER.lock().expect("nobody else"), 1);
 }

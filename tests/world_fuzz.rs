@@ -26,7 +26,7 @@ const BEYOND: f64 = 0.5;
 const STEPS_BEYOND: f64 = 2.0;
 /// The highest kinetic and potential energy, in parts of the highest that could be there at the start: that of the bodies and
 /// a fall through the room.
-const ENERGY: f64 = 2.0;
+const ENERGY: f64 = 1.1;
 
 carom::shapes! {
     /// What is thrown.

@@ -2,7 +2,7 @@
 
 use super::integrate::{half_angles, turn};
 use crate::body::Body;
-use crate::math::{Mat3, Vec3, abs};
+use crate::math::{Vec3, abs};
 use crate::scalar::{Scalar, Scaled, StepArithmetic};
 
 type Places<S> = <<S as Scalar>::Step as StepArithmetic<S>>::Places;
@@ -17,17 +17,16 @@ type Places<S> = <<S as Scalar>::Step as StepArithmetic<S>>::Places;
 /// sub-step asks for. Beyond a radian a sub-step the rounds do not converge, and the spin stays as it is.
 pub(super) fn spin<S: Scalar>(body: &mut Body<S>, w: Vec3<S>, h: S::SubStep, places: Places<S>) -> Vec3<S> {
     let before = body.orientation().to_mat3();
-    let [rx, ry, rz] = columns(&before);
-    let local = w.to_array();
-    let local = Vec3::new(S::dot3_unit(local, rx), S::dot3_unit(local, ry), S::dot3_unit(local, rz));
+    let local = w.through(before.columns());
     let mut change = Vec3::ZERO;
     for _ in 0..rounds::<S>(half_angles(local, h, places)) {
         change = self::change(body.gyration, local + halved::<S>(change), h, places);
     }
-    let mean = w + into_world(&before, halved::<S>(change));
+    let half = halved::<S>(change);
+    let mean = w + half.through(before.rows);
     body.set_orientation_alone(turn(body.orientation(), mean, h, places));
     let after = body.orientation().to_mat3();
-    into_world(&before, halved::<S>(change)) + into_world(&after, halved::<S>(change))
+    half.through(before.rows) + half.through(after.rows)
 }
 
 /// The rounds for half the angle of a sub-step: what is left falls by the angle with each.
@@ -63,17 +62,4 @@ fn change<S: Scalar>(gyration: Vec3<S::Unit>, w: Vec3<S>, h: S::SubStep, places:
 #[inline(always)]
 fn halved<S: Scalar>(v: Vec3<S>) -> Vec3<S> {
     Vec3::new(S::Step::half(v.x), S::Step::half(v.y), S::Step::half(v.z))
-}
-
-#[inline(always)]
-fn columns<U: Copy>(m: &Mat3<U>) -> [[U; 3]; 3] {
-    let [x, y, z] = m.rows;
-    [[x.x, y.x, z.x], [x.y, y.y, z.y], [x.z, y.z, z.z]]
-}
-
-#[inline(always)]
-fn into_world<S: Scalar>(rotation: &Mat3<S::Unit>, v: Vec3<S>) -> Vec3<S> {
-    let [x, y, z] = rotation.rows;
-    let v = v.to_array();
-    Vec3::new(S::dot3_unit(v, x.to_array()), S::dot3_unit(v, y.to_array()), S::dot3_unit(v, z.to_array()))
 }

@@ -94,7 +94,8 @@ pub struct Touching<S: Scalar> {
     pub sensor: bool,
     /// The normal impulse in this step, N s.
     pub normal_impulse: S::Scaled,
-    /// How fast the surfaces met in this step, m/s; zero where they did not meet in it.
+    /// How fast the surfaces met in this step, m/s; zero where they did not meet in it, or no faster than bodies at rest do
+    /// ([`Touch::approach`](crate::solver::Touch::approach)).
     pub approach_speed: S,
 }
 

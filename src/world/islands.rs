@@ -1,7 +1,7 @@
 //! Islands of bodies that touch, and their sleep.
 //!
 //! A body is still while it is slower than an eighth of its size a second and does not gain speed: what tips over an edge gains,
-//! however slow it is. An island sleeps when all of it has been still for half a second.
+//! however slow it is. An island sleeps when all of it has been still for half a second and none of it lies on a driven body.
 
 use super::contacts::Entry;
 use super::slot::Slot;
@@ -26,6 +26,7 @@ impl<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: u
         if self.sleepless {
             return;
         }
+        self.keep_carried_awake();
         let enough = settings.half_second;
         let mut any = false;
         for (slot, body) in self.slots.iter_mut().zip(&self.bodies) {
@@ -53,6 +54,21 @@ impl<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: u
             let together = self.slots.get(usize::from(slot.island)).map_or(0, |first| first.still_together);
             if slot.is_awake() && together >= enough {
                 self.lull(index);
+            }
+        }
+    }
+
+    /// What lies on a driven body goes along with it, however slowly.
+    fn keep_carried_awake(&mut self) {
+        for Entry { key, .. } in self.contacts.iter().filter(|entry| entry.key.touching) {
+            let driven = |index: u16| self.slots.get(usize::from(index)).is_some_and(Slot::is_driven);
+            let carried = match (driven(key.a), driven(key.b)) {
+                (true, false) => key.b,
+                (false, true) => key.a,
+                _ => continue,
+            };
+            if let Some(slot) = self.slots.get_mut(usize::from(carried)) {
+                slot.still = 0;
             }
         }
     }

@@ -7,7 +7,7 @@ use super::slot::Slot;
 use crate::broad_phase::PairSink;
 use crate::contact::{Material, RestitutionLaw};
 use crate::manifold::Manifold;
-use crate::math::{Pose, UnitVec3, min};
+use crate::math::{Pose, min};
 use crate::scalar::Scalar;
 use crate::shape::{Collide, ManifoldSink};
 use crate::solver::{Step, WarmStart};
@@ -32,43 +32,16 @@ pub(super) struct Meeting<'w, 's, S: Scalar, Sh, const MANIFOLDS: usize> {
     pub warm: &'w [WarmStart<S>],
     pub contacts: &'w mut Vec<Entry<S>, MANIFOLDS, u16>,
     pub finder: Finder,
+    /// The impulses kept so far.
     pub points: usize,
     pub dropped: u16,
-    pair: [u16; 2],
-    material: Material<S>,
-    manifold: Manifold<S>,
+    /// The pair at hand, and what is made of it.
+    pub pair: [u16; 2],
+    pub material: Material<S>,
+    pub manifold: Manifold<S>,
 }
 
-impl<'w, 's, S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> Meeting<'w, 's, S, Sh, MANIFOLDS> {
-    #[allow(clippy::too_many_arguments)]
-    pub fn new(
-        step: Step<'s, S>,
-        slots: &'w [Slot<S>],
-        shapes: &'w [Sh],
-        materials: &'w [Material<S>],
-        poses: &'w [Pose<S>],
-        before: &'w [Key],
-        warm: &'w [WarmStart<S>],
-        contacts: &'w mut Vec<Entry<S>, MANIFOLDS, u16>,
-    ) -> Self {
-        Self {
-            step,
-            slots,
-            shapes,
-            materials,
-            poses,
-            before,
-            warm,
-            contacts,
-            finder: Finder::new(),
-            points: 0,
-            dropped: 0,
-            pair: [0; 2],
-            material: Material::DEAD,
-            manifold: Manifold::empty(UnitVec3::Z),
-        }
-    }
-
+impl<'w, S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> Meeting<'w, '_, S, Sh, MANIFOLDS> {
     #[inline(never)]
     fn meet(&mut self, a: u16, b: u16) -> Option<()> {
         let (i, j) = (usize::from(a), usize::from(b));
@@ -81,7 +54,8 @@ impl<'w, 's, S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> Meeting<'w, 
         self.pair = [a, b];
         if slot_a.sensor || slot_b.sensor {
             if shape_a.overlaps(pose_a, shape_b, pose_b) {
-                self.enter(0, 0, Kind::Sensed);
+                let former = self.former(0);
+                self.enter(0, 0, Kind::Sensed, former);
             }
             return None;
         }
@@ -94,10 +68,15 @@ impl<'w, 's, S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> Meeting<'w, 
         None
     }
 
-    /// Puts the pair into the table.
-    fn enter(&mut self, part: u32, points: u8, kind: Kind) {
+    /// The pair in the step before.
+    fn former(&mut self, part: u32) -> Option<&'w Key> {
         let [a, b] = self.pair;
-        let former = self.finder.find(self.before, a, b, part).and_then(|index| self.before.get(index));
+        self.finder.find(self.before, a, b, part).and_then(|index| self.before.get(index))
+    }
+
+    /// Puts the pair into the table.
+    fn enter(&mut self, part: u32, points: u8, kind: Kind, former: Option<&Key>) {
+        let [a, b] = self.pair;
         let touched_before = former.is_some_and(|key| key.touching);
         let key = Key { a, b, part, first: self.points as u16, points, touching: kind == Kind::Sensed };
         if self.contacts.push(Entry::new(key, kind, touched_before)).is_err() {
@@ -120,8 +99,7 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> ManifoldSink<S> for 
     }
 
     fn take(&mut self, part: u32) {
-        let [a, b] = self.pair;
-        let former = self.finder.find(self.before, a, b, part).and_then(|index| self.before.get(index));
+        let former = self.former(part);
         let warm = former.and_then(|key| {
             let first = usize::from(key.first);
             self.warm.get(first..first.saturating_add(usize::from(key.points)))
@@ -130,7 +108,7 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> ManifoldSink<S> for 
             self.dropped = self.dropped.saturating_add(1);
             return;
         }
-        self.enter(part, self.manifold.points().len() as u8, Kind::Solved);
+        self.enter(part, self.manifold.points().len() as u8, Kind::Solved, former);
     }
 }
 

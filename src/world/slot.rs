@@ -62,9 +62,21 @@ impl<S: Scalar> Slot<S> {
         matches!(self.state, State::Awake | State::Driven)
     }
 
+    /// Whether it wakes what it comes near: not what is as slow as sleepers are, or two that lie beside each other would
+    /// wake one another for ever.
+    #[inline(always)]
+    pub fn is_loud(&self) -> bool {
+        self.is_driven() || self.is_awake() && self.still == 0
+    }
+
     #[inline(always)]
     pub fn is_awake(&self) -> bool {
         self.state == State::Awake
+    }
+
+    #[inline(always)]
+    pub fn is_driven(&self) -> bool {
+        self.state == State::Driven
     }
 
     #[inline(always)]
@@ -87,6 +99,7 @@ impl<S: Scalar> Slot<S> {
     pub fn wake(&mut self) {
         if self.is_asleep() {
             self.state = State::Awake;
+            self.still = 0;
         }
     }
 

@@ -1,14 +1,16 @@
 //! A step of the world, stage after stage.
 
-use super::contacts::{Entry, Key, Kind};
+use super::contacts::{Entry, Finder, Key, Kind};
 use super::meet::{Meeting, near};
 use super::slot::{Slot, State};
-use super::touch;
+use super::wake::wake_island;
 use super::{PLACES, World};
 use crate::aabb::Aabb;
 use crate::body::Body;
 use crate::broad_phase::PairSink;
-use crate::math::{Pose, Vec3, abs, min};
+use crate::contact::Material;
+use crate::manifold::Manifold;
+use crate::math::{Pose, UnitVec3, Vec3, abs, min};
 use crate::scalar::Scalar;
 use crate::shape::{Collide, Shape};
 use crate::solver::{Buffers, Settings, Step, drive};
@@ -117,11 +119,14 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
         self.contacts.clear();
     }
 
-    /// Contacts of which neither body moves stay as they are, with their impulses, at the front of the table.
+    /// Contacts of which neither body moves stay as they are, with their impulses, at the front of the table. What is in
+    /// quarantine touches nothing.
     fn keep_sleeping(&mut self) {
         for key in &mut self.before {
-            let active = |index: u16| self.slots.get(usize::from(index)).is_some_and(Slot::is_active);
-            if !active(key.a) && !active(key.b) {
+            let (Some(a), Some(b)) = (self.slots.get(usize::from(key.a)), self.slots.get(usize::from(key.b))) else {
+                continue;
+            };
+            if a.meets(b) && !a.is_active() && !b.is_active() {
                 let _ = self.contacts.push(Entry::new(*key, Kind::Kept, key.touching));
                 key.touching = false;
             }
@@ -130,7 +135,7 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
 
     fn drive(&mut self, settings: &Settings<S>, report: &mut WorldReport) {
         for (slot, body) in self.slots.iter().zip(&mut self.bodies) {
-            if slot.state == State::Driven {
+            if slot.is_driven() {
                 report.saturated |= drive(body, settings);
             }
         }
@@ -148,17 +153,22 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
         for entry in &self.contacts {
             kept = kept.wrapping_add(usize::from(entry.key.points));
         }
-        let mut meeting = Meeting::new(
+        let mut meeting = Meeting {
             step,
-            &self.slots,
-            &self.shapes,
-            &self.materials,
-            &self.poses,
-            &self.before,
-            &self.warm,
-            &mut self.contacts,
-        );
-        meeting.points = kept;
+            slots: &self.slots,
+            shapes: &self.shapes,
+            materials: &self.materials,
+            poses: &self.poses,
+            before: &self.before,
+            warm: &self.warm,
+            contacts: &mut self.contacts,
+            finder: Finder::new(),
+            points: kept,
+            dropped: 0,
+            pair: [0; 2],
+            material: Material::DEAD,
+            manifold: Manifold::empty(UnitVec3::Z),
+        };
         self.sweep.sweep(&self.boxes, &mut meeting);
         report.dropped = meeting.dropped;
         report.points = meeting.points.wrapping_sub(kept) as u16;
@@ -201,7 +211,7 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
 
 /// Takes the mark of touching from old keys whose pair still touches: those that keep it have ended.
 fn end_others<S: Scalar>(before: &mut [Key], contacts: &[Entry<S>]) {
-    let mut finder = super::contacts::Finder::new();
+    let mut finder = Finder::new();
     for entry in contacts.iter().filter(|entry| entry.key.touching && entry.touched_before) {
         if let Some(index) = finder.find(before, entry.key.a, entry.key.b, entry.key.part) {
             if let Some(key) = before.get_mut(index) {
@@ -242,7 +252,7 @@ pub(super) fn magnitude<S: Scalar>(v: Vec3<S>) -> S {
     abs(v.x).plus(abs(v.y)).plus(abs(v.z))
 }
 
-/// Wakes the sleeping one of a pair of boxes if the other moves.
+/// Wakes the sleeping one of a pair of boxes if the other is loud.
 struct Alarm<'a, S: Scalar> {
     slots: &'a mut [Slot<S>],
     rang: bool,
@@ -256,11 +266,11 @@ impl<S: Scalar> PairSink for Alarm<'_, S> {
         if !first.meets(second) || first.sensor || second.sensor {
             return;
         }
-        let sleeper = match (first.is_active(), second.is_active()) {
+        let sleeper = match (first.is_loud(), second.is_loud()) {
             (true, false) => b,
             (false, true) => a,
             _ => return,
         };
-        self.rang |= touch::wake_island(self.slots, sleeper);
+        self.rang |= wake_island(self.slots, sleeper);
     }
 }

@@ -21,7 +21,7 @@ pub(super) fn wake_island<S: Scalar>(slots: &mut [Slot<S>], index: u16) -> bool 
         _ => return false,
     };
     for slot in slots.iter_mut() {
-        if slot.is_asleep() && slot.island == island {
+        if slot.island == island {
             slot.wake();
         }
     }
