@@ -350,11 +350,11 @@ fn walls_stop_what_is_fast<S: HostScalar>(name: &str) {
 #[cfg(feature = "f32")]
 #[test]
 fn what_is_not_finite_is_quarantined() {
-    let mut stage = Stage::<f32>::new(0.5, 0.0);
-    let sick = stage.solid(1.0, Shape::Sphere(0.5), [0.0, 0.5, 0.0]);
-    let well = stage.solid(1.0, Shape::Sphere(0.5), [0.02, 1.4995, 0.0]);
-    stage.run(0.1);
     for poison in [f32::NAN, f32::INFINITY] {
+        let mut stage = Stage::<f32>::new(0.5, 0.0);
+        let sick = stage.solid(1.0, Shape::Sphere(0.5), [0.0, 0.5, 0.0]);
+        let well = stage.solid(1.0, Shape::Sphere(0.5), [0.02, 1.4995, 0.0]);
+        stage.run(0.1);
         stage.world.body_mut(sick).expect("a body").linear_velocity.y = poison;
         stage.step();
         assert_eq!(stage.report.quarantined, 1);
@@ -370,6 +370,7 @@ fn what_is_not_finite_is_quarantined() {
         stage.run(0.3);
         assert_eq!(stage.report.quarantined, 0);
     }
+    let mut stage = Stage::<f32>::new(0.5, 0.0);
     let body = Body::immovable().at(carom::Vec3::new(f32::NAN, 0.0, 0.0));
     let material = Material::DEAD;
     assert_eq!(stage.world.insert(body, Shape::Sphere(0.5).build::<f32>(), material), Err(InsertError::NotFinite));
