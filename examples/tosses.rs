@@ -13,7 +13,7 @@ use board::{Exit, LineReader};
 use carom::{Quat, Scalar, Scaled, StateHash, Vec3};
 use numbers::{Job, Number, decimal};
 use scenes::make::square;
-use scenes::toss::Cube;
+use scenes::toss::{Cube, Setup};
 
 board::entry!(run);
 
@@ -168,5 +168,5 @@ fn frame<S: Number>(cells: &[&str; COLUMNS]) -> Option<Frame<S>> {
 
 fn cube<S: Number>(cells: &[&str; COLUMNS], frame: &Frame<S>) -> Option<Cube<S>> {
     let [.., vx, vy, vz, wx, wy, wz] = *cells;
-    Cube::new(frame.position, frame.orientation, vector([vx, vy, vz])?, vector([wx, wy, wz])?)
+    Cube::new(&Setup::nominal()?, frame.position, frame.orientation, vector([vx, vy, vz])?, vector([wx, wy, wz])?)
 }

@@ -1,35 +1,16 @@
 //! What the examples' scenes claim, on the host: fair dice, a cradle that hands on its speed, boxes that fall in time.
 #![cfg(any(feature = "f32", feature = "f64", feature = "fixed"))]
 
+#[macro_use]
+#[path = "support/each_number.rs"]
+mod each_number;
 #[path = "../examples/scenes/mod.rs"]
 mod scenes;
 
 use carom::{Scalar, Scaled};
 use scenes::{billiards, cradle, dice, edge, maze, pinball, stack};
 
-/// One test for each scene and number type.
-macro_rules! in_numbers {
-    ($($check:ident)+) => {
-        in_numbers!(@ "f32" single f32; $($check)+);
-        in_numbers!(@ "f64" double f64; $($check)+);
-        in_numbers!(@ "fixed" i16f16 fixed::types::I16F16; $($check)+);
-        in_numbers!(@ "fixed" i12f20 fixed::types::I12F20; $($check)+);
-        in_numbers!(@ "fixed" i8f24 fixed::types::I8F24; $($check)+);
-    };
-    (@ $feature:literal $name:ident $number:ty; $($check:ident)+) => {
-        #[cfg(feature = $feature)]
-        mod $name {
-            $(
-                #[test]
-                fn $check() {
-                    super::$check::<$number>();
-                }
-            )+
-        }
-    };
-}
-
-in_numbers! { fair_dice boxes_fall cradle_swings balls_roll marble_arrives boxes_stand pinball_is_played }
+each_number!(fair_dice, boxes_fall, cradle_swings, balls_roll, marble_arrives, boxes_stand, pinball_is_played);
 
 fn ratio<S: Scalar>(numerator: i32, denominator: i32) -> S {
     S::from_ratio(numerator, denominator).expect("a number within the format")
@@ -37,7 +18,7 @@ fn ratio<S: Scalar>(numerator: i32, denominator: i32) -> S {
 
 /// Three thousand throws of two dice: chi-square over the six faces stays below what fair dice exceed once in a thousand
 /// times, and a die that shows a face twice as often as another would be far above.
-fn fair_dice<S: Scalar>() {
+fn fair_dice<S: Scalar>(_: &str) {
     let mut world = dice::Room::<S>::new();
     let (mut counts, mut leaning, mut restless) = ([0u32; 6], 0, 0);
     for seed in 1..=3000 {
@@ -60,7 +41,7 @@ fn fair_dice<S: Scalar>() {
 }
 
 /// The times of f64 are those in the scene; others are within a tenth, half at a hundredth of a degree.
-fn boxes_fall<S: Scalar>() {
+fn boxes_fall<S: Scalar>(_: &str) {
     let mut world = edge::Room::<S>::new();
     for start in &edge::STARTS {
         let (time, _) = edge::fall(&mut world, start).expect("a box");
@@ -79,7 +60,7 @@ fn boxes_fall<S: Scalar>() {
 }
 
 /// The last ball leaves with the speed of the first one within a thousandth, and the energy stays within two.
-fn cradle_swings<S: Scalar>() {
+fn cradle_swings<S: Scalar>(_: &str) {
     let mut world = cradle::Room::<S>::new();
     let mut cradle = cradle::Cradle::new(&mut world).expect("a cradle");
     for _ in 0..cradle::STEPS {
@@ -95,7 +76,7 @@ fn cradle_swings<S: Scalar>() {
 }
 
 /// Energy only goes down, and balls come to roll.
-fn balls_roll<S: Scalar>() {
+fn balls_roll<S: Scalar>(_: &str) {
     let mut world = billiards::Room::<S>::new();
     let mut table = billiards::Billiards::new(&mut world).expect("a table");
     let mut before = table.energy();
@@ -115,7 +96,7 @@ fn balls_roll<S: Scalar>() {
     }
 }
 
-fn marble_arrives<S: Scalar>() {
+fn marble_arrives<S: Scalar>(_: &str) {
     let mut world = maze::Room::<S>::new();
     let mut maze = maze::Maze::new(&mut world).expect("a maze");
     for _ in 0..maze::STEPS {
@@ -127,7 +108,7 @@ fn marble_arrives<S: Scalar>() {
     assert_eq!(maze.dropped, 0);
 }
 
-fn boxes_stand<S: Scalar>() {
+fn boxes_stand<S: Scalar>(_: &str) {
     let mut world = stack::Room::<S>::new();
     let mut stack = stack::Stack::new(&mut world).expect("a stack");
     for _ in 0..stack::STEPS {
@@ -140,7 +121,7 @@ fn boxes_stand<S: Scalar>() {
     }
 }
 
-fn pinball_is_played<S: Scalar>() {
+fn pinball_is_played<S: Scalar>(_: &str) {
     let mut world = pinball::Room::<S>::new();
     let mut pinball = pinball::Pinball::new(&mut world).expect("a table");
     let steps = (0..pinball::STEPS).take_while(|_| pinball.step()).count();

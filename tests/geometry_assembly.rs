@@ -12,25 +12,13 @@ mod scalars;
 mod tool;
 
 use carom::{Assembly, Body, Cuboid, MassError, Part, Pose, Quat, Scaled, Solid, SolidPart, Sphere, Vec3};
-use host::HostScalar;
+use host::{HostScalar, floats, number, vector};
 use random::Random;
 use scalars::NUMBERS;
 use tool::number::Job;
 use tool::vector::{Vector, add, dot, rotation, scale, sub};
 
 type Tensor = [Vector; 3];
-
-fn number<S: HostScalar>(x: f64) -> S {
-    S::from_f64(x).expect("it fits")
-}
-
-fn vector<S: HostScalar>(v: Vector) -> Vec3<S> {
-    Vec3::from_array(v.map(number))
-}
-
-fn read<S: HostScalar>(v: Vec3<S>) -> Vector {
-    v.to_array().map(S::to_f64)
-}
 
 /// A solid as point masses that have its first and second moments: a box by the corners of one smaller by the root of 3, a ball by
 /// six points.
@@ -136,11 +124,11 @@ impl Job for Sums {
             let (mass, middle) = centre(&all);
             let body = Body::dynamic(mass_properties);
             assert!((S::scaled_to_f64(body.inv_mass()) * mass - 1.0).abs() < 1e-6);
-            for (found, right) in read(frame.position).into_iter().zip(middle) {
+            for (found, right) in floats(frame.position).into_iter().zip(middle) {
                 assert!((found - right).abs() <= S::spacing(1.0) + 1e-7, "{found} of {right}");
             }
             // R diag(I) R^T is the tensor of the points about that place.
-            let right = tensor(&all, read(frame.position));
+            let right = tensor(&all, floats(frame.position));
             let size = right[0][0] + right[1][1] + right[2][2];
             let [xx, xy, xz, yy, yz, zz] = body.inv_inertia_local().map(S::scaled_to_f64);
             assert_eq!([xy, xz, yz], [0.0; 3], "principal axes");
@@ -196,7 +184,7 @@ impl Job for Known {
         }
         // Its shape follows, into the frame of the body.
         let part = Part { pose: parts[3].pose, shape: Cuboid::new(vector::<S>(scale(0.5, half))).expect("a box") };
-        assert_eq!(read(part.seen_from(&eight.frame).pose.position), [0.25, 0.125, -0.1875]);
+        assert_eq!(floats(part.seen_from(&eight.frame).pose.position), [0.25, 0.125, -0.1875]);
         // An L of two boxes: by hand. Legs of 1 kg, 2 x 0.5 x 0.5 at the origin and 0.5 x 2 x 0.5 at (0.75, 1.25, 0).
         let leg = |half: Vector, at: Vector| {
             let solid = Solid::cuboid(vector::<S>(half)).expect("a box");
@@ -204,7 +192,7 @@ impl Job for Known {
         };
         let bent = Assembly::new(&[leg([1.0, 0.25, 0.25], [0.0; 3]), leg([0.25, 1.0, 0.25], [0.75, 1.25, 0.0])]);
         let bent = bent.expect("a body");
-        assert_eq!(read(bent.frame.position), [0.375, 0.625, 0.0]);
+        assert_eq!(floats(bent.frame.position), [0.375, 0.625, 0.0]);
         // I_zz = 2 (1/3 (1 + 1/16)) + 2 (0.375^2 + 0.625^2).
         let zz = 2.0 * (17.0 / 48.0) + 2.0 * (0.140_625 + 0.390_625);
         let body = Body::dynamic(bent.mass_properties);

@@ -20,7 +20,7 @@ use carom::{
     Aabb, Closest, Collide, Compound, CompoundError, Cuboid, HalfSpace, HeightField, Manifold, ManifoldSink, Part,
     Pose, Ray, RayHit, Shape as _, Sphere, SurfacePoint, UnitVec3, Vec3,
 };
-use host::HostScalar;
+use host::{HostScalar, direction, floats, number, vector};
 use random::Random;
 use scalars::NUMBERS;
 use solids::{KINDS, height, orientation, round, shape, times};
@@ -34,22 +34,6 @@ carom::shapes! {
 }
 
 const LEVEL: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
-
-fn number<S: HostScalar>(x: f64) -> S {
-    S::from_f64(x).expect("it fits")
-}
-
-fn vector<S: HostScalar>(v: Vector) -> Vec3<S> {
-    Vec3::from_array(v.map(number))
-}
-
-fn read<S: HostScalar>(v: Vec3<S>) -> Vector {
-    v.to_array().map(S::to_f64)
-}
-
-fn normal<S: HostScalar>(n: UnitVec3<S>) -> Vector {
-    n.get().to_array().map(S::unit_to_f64)
-}
 
 /// A dozen units of the last place of numbers up to 4, and what micromath's root lacks.
 fn allowance<S: HostScalar>() -> f64 {
@@ -183,9 +167,12 @@ impl Job for AsOne {
                 }
                 let error = (one.separation.to_f64() - eight.separation.to_f64()).abs();
                 assert!(error <= tolerance, "{half:?}: {one:?}, {eight:?}");
-                let ends = [add(read(pose.position), read(eight.r_a)), add(read(other_pose.position), read(eight.r_b))];
+                let ends = [
+                    add(floats(pose.position), floats(eight.r_a)),
+                    add(floats(other_pose.position), floats(eight.r_b)),
+                ];
                 let gap = sub(ends[1], ends[0]);
-                let across = sub(gap, scale(eight.separation.to_f64(), normal(eight.normal)));
+                let across = sub(gap, scale(eight.separation.to_f64(), direction(eight.normal)));
                 assert!(norm(across) < 2.0 * tolerance, "the arms lead to both ends of the gap: {eight:?}");
                 compared += 1;
             }
@@ -239,7 +226,7 @@ impl Job for Resting {
         // their sides.)
         let above = Pose::at(vector([0.25, 0.125, 3.0 * half[2] - 2.0 * deep]));
         let stacked = manifolds((&compound, &pose), (&compound, &above));
-        let upright = stacked.iter().filter(|(_, manifold)| normal(manifold.normal)[2] > 0.5);
+        let upright = stacked.iter().filter(|(_, manifold)| direction(manifold.normal)[2] > 0.5);
         let faces: Vec<_> = upright.map(|(part, manifold)| (*part, manifold.points().len())).collect();
         let numbers = [4 << 24, 5 << 24 | 1 << 16, 6 << 24 | 2 << 16, 7 << 24 | 3 << 16];
         assert_eq!(faces, numbers.map(|part| (part, 4)));
@@ -291,21 +278,21 @@ impl Job for InF64 {
                 let part = &body.placed()[(part >> 24) as usize];
                 let [point] = manifold.points() else { panic!("{manifold:?}") };
                 let surface = add(
-                    add(body.position, read(point.r_a)),
-                    scale(-0.5 * point.separation.to_f64(), normal(manifold.normal)),
+                    add(body.position, floats(point.r_a)),
+                    scale(-0.5 * point.separation.to_f64(), direction(manifold.normal)),
                 );
                 assert!(height(part, surface).abs() <= 2.0 * tolerance, "{part:?}: {manifold:?}");
                 touching += 1;
             }
             let near = compound.closest_point(&pose, vector(centre)).expect("a point");
             assert!((near.separation.to_f64() - free).abs() <= tolerance);
-            assert!(free < 0.0 || body.height(read(near.point)).abs() <= tolerance);
+            assert!(free < 0.0 || body.height(floats(near.point)).abs() <= tolerance);
             apart += usize::from(right > 0.0);
             // A ray, by steps as long as nothing is near.
             let towards = add(sub(body.position, centre), scale(0.7, random.direction()));
-            let direction = UnitVec3::<S>::normalize(vector(towards)).expect("a direction");
-            let way = normal(direction);
-            let ray = Ray { origin: vector(centre), direction, length: number(3.0) };
+            let toward = UnitVec3::<S>::normalize(vector(towards)).expect("a direction");
+            let way = direction(toward);
+            let ray = Ray { origin: vector(centre), direction: toward, length: number(3.0) };
             let mut t = 0.0;
             while t < 3.0 && body.height(add(centre, scale(t, way))) > 1e-7 {
                 t += body.height(add(centre, scale(t, way)));
@@ -324,8 +311,8 @@ impl Job for InF64 {
                 for axis in 0..3 {
                     let mut n = [0.0; 3];
                     n[axis] = 1.0;
-                    assert!(placed.reach(n) <= read(max)[axis] + tolerance);
-                    assert!(-placed.reach(scale(-1.0, n)) >= read(min)[axis] - tolerance);
+                    assert!(placed.reach(n) <= floats(max)[axis] + tolerance);
+                    assert!(-placed.reach(scale(-1.0, n)) >= floats(min)[axis] - tolerance);
                 }
             }
         }
@@ -461,13 +448,13 @@ impl Job for Refusals {
         }
         // What has no end: so has the compound.
         let room = [UnitVec3::<S>::X, -UnitVec3::X].map(|n| {
-            let wall = normal(-n)[0];
+            let wall = direction(-n)[0];
             Part { pose: Pose::at(vector([wall, 0.0, 0.0])), shape: HalfSpace::new(n) }
         });
         let room = Compound::new(&room).expect("two walls");
         assert_eq!(room.aabb(&Pose::IDENTITY), Aabb::unbounded());
         let inside = room.closest(&Pose::IDENTITY, &ball, &Pose::at(vector([0.5, 0.0, 0.0]))).expect("a distance");
-        assert_eq!((inside.separation, normal(inside.normal)), (number(0.25), [-1.0, 0.0, 0.0]));
+        assert_eq!((inside.separation, direction(inside.normal)), (number(0.25), [-1.0, 0.0, 0.0]));
         // Of a row of balls, those far from the other one are not asked.
         let asked = Cell::new(0);
         let row = [0, 1, 2, 3, 4, 5, 6, 7]

@@ -15,8 +15,8 @@ mod tool;
 
 use std::collections::BTreeSet;
 
-use carom::{Collide, Manifold, Pose, UnitVec3, Vec3};
-use host::HostScalar;
+use carom::{Collide, Manifold, Pose, UnitVec3};
+use host::{HostScalar, floats};
 use random::Random;
 use scalars::NUMBERS;
 use solids::{PAIRS, height, orientation, round, shape, times};
@@ -55,10 +55,6 @@ impl<S: HostScalar> Scene<S> {
         let [a, b] = self.0;
         Self([b, a]).manifold(margin)
     }
-}
-
-fn read<S: HostScalar>(v: Vec3<S>) -> Vector {
-    v.to_array().map(S::to_f64)
 }
 
 fn normal<S: HostScalar>(manifold: &Manifold<S>) -> Vector {
@@ -125,8 +121,8 @@ impl Job for OnBothSurfaces {
                 let mut features = BTreeSet::new();
                 for point in points {
                     assert!(features.insert(point.feature.0), "{pair:?} {case}: each point has a name of its own");
-                    let middle = add(shapes[0].position, read(point.r_a));
-                    let other = add(shapes[1].position, read(point.r_b));
+                    let middle = add(shapes[0].position, floats(point.r_a));
+                    let other = add(shapes[1].position, floats(point.r_b));
                     assert!(norm(sub(middle, other)) <= tolerance, "{pair:?} {case}: {middle:?} {other:?}");
                     let separation = point.separation.to_f64();
                     assert!(separation <= 0.05);
@@ -258,9 +254,9 @@ impl Job for Turned {
                 let same = norm(sub(turn(normal(&before)), normal(&after))) < 0.01 + 100.0 * tolerance
                     && before.points().len() == after.points().len()
                     && before.points().iter().all(|p| {
-                        let (place, separation) = (turn(read(p.r_a)), p.separation.to_f64());
+                        let (place, separation) = (turn(floats(p.r_a)), p.separation.to_f64());
                         after.points().iter().any(|q| {
-                            norm(sub(place, read(q.r_a))) < 1e-3 + 100.0 * tolerance
+                            norm(sub(place, floats(q.r_a))) < 1e-3 + 100.0 * tolerance
                                 && (q.separation.to_f64() - separation).abs() < tolerance
                         })
                     });
@@ -304,7 +300,7 @@ impl Job for Lasting {
                 for point in before.points().iter().filter(|point| point.separation.to_f64() < 0.04) {
                     compared += 1;
                     let same = after.points().iter().find(|other| other.feature == point.feature);
-                    let near = same.is_some_and(|other| norm(sub(read(other.r_b), read(point.r_b))) < 0.05);
+                    let near = same.is_some_and(|other| norm(sub(floats(other.r_b), floats(point.r_b))) < 0.05);
                     lost += usize::from(!near);
                 }
             }
@@ -341,7 +337,7 @@ impl Job for Resting {
         let small = cuboid([0.5, 0.5, 0.25], [0.25, 0.625, 0.75 - 1.0 / 256.0], level);
         let manifold = Scene::<S>::new(&[large, small]).manifold(0.0).expect("they touch");
         assert_eq!(normal(&manifold), [0.0, 0.0, 1.0]);
-        let mut corners: Vec<Vector> = manifold.points().iter().map(|point| read(point.r_a)).collect();
+        let mut corners: Vec<Vector> = manifold.points().iter().map(|point| floats(point.r_a)).collect();
         corners.sort_by(|a, b| a.partial_cmp(b).expect("numbers"));
         let z = 0.5 - 1.0 / 512.0;
         assert_eq!(corners, [[-0.25, 0.125, z], [-0.25, 1.0, z], [0.5, 0.125, z], [0.5, 1.0, z]]);
@@ -351,7 +347,7 @@ impl Job for Resting {
         let turned = cuboid([0.5; 3], [0.0, 0.0, 1.0], [half.cos(), 0.0, 0.0, half.sin()]);
         let manifold =
             Scene::<S>::new(&[cuboid([0.5; 3], [0.0; 3], level), turned]).manifold(0.01).expect("they touch");
-        let places: Vec<Vector> = manifold.points().iter().map(|point| read(point.r_a)).collect();
+        let places: Vec<Vector> = manifold.points().iter().map(|point| floats(point.r_a)).collect();
         assert_eq!(places.len(), 4);
         let area = 0.5 * norm(cross(sub(places[2], places[0]), sub(places[3], places[1])));
         assert!(area > 0.55, "of 0.83 in all: {area}");
@@ -364,7 +360,7 @@ impl Job for Resting {
         let [point] = manifold.points() else { panic!("{manifold:?}") };
         let expected = [0.125, 0.0, 0.5_f64.sqrt() - 1.0 / 512.0];
         assert!(norm(sub(normal(&manifold), [0.0, 0.0, 1.0])) < 1e-6, "{manifold:?}");
-        assert!(norm(sub(read(point.r_a), expected)) < allowance::<S>(), "{manifold:?}");
+        assert!(norm(sub(floats(point.r_a), expected)) < allowance::<S>(), "{manifold:?}");
         assert!((point.separation.to_f64() + 1.0 / 256.0).abs() < allowance::<S>());
         // A capsule lying on a box: two points, at its end and at the edge of the box.
         let lying = Placed {
@@ -373,7 +369,7 @@ impl Job for Resting {
             orientation: [0.5_f64.sqrt(), 0.0, 0.5_f64.sqrt(), 0.0],
         };
         let manifold = Scene::<S>::new(&[lying, cuboid([0.5; 3], [0.0; 3], level)]).manifold(0.01).expect("they touch");
-        let mut places: Vec<f64> = manifold.points().iter().map(|point| read(point.r_b)[0]).collect();
+        let mut places: Vec<f64> = manifold.points().iter().map(|point| floats(point.r_b)[0]).collect();
         places.sort_by(f64::total_cmp);
         assert_eq!(places.len(), 2, "{manifold:?}");
         assert!((places[0] + 0.25).abs() < 1e-4 && (places[1] - 0.5).abs() < 1e-4, "{places:?}");

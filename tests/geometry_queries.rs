@@ -16,7 +16,7 @@ mod tool;
 use std::collections::BTreeSet;
 
 use carom::{Aabb, Collide, PairSink, Pairs, Ray, Shape as _, SweepAndPrune, UnitVec3, Vec3};
-use host::HostScalar;
+use host::{HostScalar, floats, vector};
 use random::Random;
 use scalars::NUMBERS;
 use solids::{KINDS, PAIRS, height, orientation, round, shape};
@@ -24,16 +24,8 @@ use tool::geometry::Placed;
 use tool::number::Job;
 use tool::vector::{Vector, add, dot, norm, scale, sub};
 
-fn vector<S: HostScalar>(v: Vector) -> Vec3<S> {
-    Vec3::from_array(v.map(|x| S::from_f64(x).expect("it fits")))
-}
-
 fn direction<S: HostScalar>(d: Vector) -> UnitVec3<S> {
     UnitVec3::new(Vec3::from_array(d.map(S::unit))).expect("of unit length")
-}
-
-fn read<S: HostScalar>(v: Vec3<S>) -> Vector {
-    v.to_array().map(S::to_f64)
 }
 
 fn placed(kind: usize, random: &mut Random) -> Placed {
@@ -165,7 +157,7 @@ impl Job for ClosestPoints {
                 let separation = found.separation.to_f64();
                 assert!((separation - right).abs() <= tolerance, "{target:?} {point:?}: {separation} of {right}");
                 let n = found.normal.get().to_array().map(S::unit_to_f64);
-                let on_surface = read(found.point);
+                let on_surface = floats(found.point);
                 assert!(height(&target, on_surface).abs() <= tolerance, "{target:?} {point:?}: {found:?}");
                 let back = add(on_surface, scale(separation, n));
                 assert!(norm(sub(back, point)) <= tolerance, "{target:?} {point:?}: {found:?}");
@@ -228,7 +220,7 @@ impl Job for Bounds {
                 let target = placed(kind, &mut random);
                 let (solid, pose) = target.for_kernel::<S>(None).expect("it fits");
                 let Aabb { min, max } = solid.aabb(&pose);
-                for (axis, (low, high)) in read(min).into_iter().zip(read(max)).enumerate() {
+                for (axis, (low, high)) in floats(min).into_iter().zip(floats(max)).enumerate() {
                     let mut n = [0.0; 3];
                     n[axis] = 1.0;
                     let (above, below) = (target.reach(n), -target.reach(scale(-1.0, n)));

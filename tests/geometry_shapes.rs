@@ -15,27 +15,11 @@ use carom::{
     Capsule, Collide, ConvexHull, Cuboid, HalfSpace, HeightField, HeightFieldError, HullError, Manifold, ManifoldSink,
     Pose, Quat, Shape, ShapeError, Sphere, UnitVec3, Vec3,
 };
-use host::HostScalar;
+use host::{HostScalar, direction, floats, number, vector};
 use random::Random;
 use scalars::NUMBERS;
 use tool::number::Job;
 use tool::vector::{Vector, add, cross, dot, norm, scale, sub};
-
-fn number<S: HostScalar>(x: f64) -> S {
-    S::from_f64(x).expect("it fits")
-}
-
-fn vector<S: HostScalar>(v: Vector) -> Vec3<S> {
-    Vec3::from_array(v.map(number))
-}
-
-fn read<S: HostScalar>(v: Vec3<S>) -> Vector {
-    v.to_array().map(S::to_f64)
-}
-
-fn normal<S: HostScalar>(n: UnitVec3<S>) -> Vector {
-    n.get().to_array().map(S::unit_to_f64)
-}
 
 /// A few units of the last place, and what micromath's root lacks.
 fn allowance<S: HostScalar>() -> f64 {
@@ -201,7 +185,7 @@ impl Job for Hulls {
                     let on_plate = manifolds(&&hull, &pose, &plate, &Pose::at(vector([0.0, 0.0, -0.5])));
                     let [(_, on_plate)] = on_plate.as_slice() else { panic!("{on_plate:?}") };
                     assert_eq!(on_plate.points().len(), on_face.min(4), "{on_plate:?}");
-                    assert!(norm(add(normal(on_plate.normal), [0.0, 0.0, 1.0])) < 1e-3, "{on_plate:?}");
+                    assert!(norm(add(direction(on_plate.normal), [0.0, 0.0, 1.0])) < 1e-3, "{on_plate:?}");
                     rests += 1;
                 }
             }
@@ -315,7 +299,7 @@ impl Job for Bumps {
             let error = (closest.separation.to_f64() - (right - radius)).abs();
             assert!(error <= allowance::<S>(), "{centre:?}, radius {radius}: {closest:?}, {right} to {nearest:?}");
             let away = scale(1.0 / right, sub(centre, nearest));
-            let wrong = norm(add(normal(closest.normal), away));
+            let wrong = norm(add(direction(closest.normal), away));
             // Beside the end of a ridge, places whose squares differ by a rounding are equally near.
             assert!(wrong < 1e-4 + 3.0 * allowance::<S>().sqrt(), "{centre:?}: {closest:?}, not {away:?}");
             compared += 1;
@@ -325,8 +309,8 @@ impl Job for Bumps {
             for (_, manifold) in manifolds(&ball, &pose, &field, &Pose::IDENTITY) {
                 for point in manifold.points() {
                     let surface = add(
-                        add(centre, read(point.r_a)),
-                        scale(0.5 * point.separation.to_f64(), normal(manifold.normal)),
+                        add(centre, floats(point.r_a)),
+                        scale(0.5 * point.separation.to_f64(), direction(manifold.normal)),
                     );
                     let off = all.iter().map(|&t| to_triangle(t, surface).0).fold(f64::INFINITY, f64::min);
                     assert!(off <= allowance::<S>(), "{off} off the surface");
@@ -364,7 +348,7 @@ impl Job for Ground {
                 manifolds(&ball, &Pose::at(vector([place[0], place[1], 0.125 - deep])), &field, &Pose::IDENTITY);
             let [(_, manifold)] = found.as_slice() else { panic!("{place:?}: {found:?}") };
             assert!(
-                norm(sub(normal(manifold.normal), [0.0, 0.0, -1.0])) < level && manifold.points().len() == 1,
+                norm(sub(direction(manifold.normal), [0.0, 0.0, -1.0])) < level && manifold.points().len() == 1,
                 "{place:?}"
             );
             let cuboid = Cuboid::new(vector::<S>([0.375, 0.25, 0.125])).expect("a box");
@@ -372,7 +356,7 @@ impl Job for Ground {
                 manifolds(&cuboid, &Pose::at(vector([place[0], place[1], 0.125 - deep])), &field, &Pose::IDENTITY);
             let [(_, manifold)] = found.as_slice() else { panic!("{place:?}: {found:?}") };
             assert!(
-                norm(sub(normal(manifold.normal), [0.0, 0.0, -1.0])) < level && manifold.points().len() == 4,
+                norm(sub(direction(manifold.normal), [0.0, 0.0, -1.0])) < level && manifold.points().len() == 4,
                 "{place:?}"
             );
             assert!(manifold.points().iter().all(|point| (point.separation.to_f64() + deep).abs() <= level));
@@ -391,7 +375,7 @@ impl Job for Ground {
         assert_eq!(found.len(), 2, "{found:?}");
         assert_ne!(found[0].0, found[1].0, "two parts");
         for (_, manifold) in &found {
-            let n = normal(manifold.normal);
+            let n = direction(manifold.normal);
             assert!((n[0].abs() - 0.5_f64.sqrt()).abs() < 1e-3 && (n[2] + 0.5_f64.sqrt()).abs() < 1e-3, "{n:?}");
             assert!((manifold.points()[0].separation.to_f64() + deep * 0.5_f64.sqrt()).abs() < allowance::<S>());
         }
@@ -404,8 +388,8 @@ impl Job for Ground {
         let cuboid = Cuboid::new(vector::<S>([0.25, 0.125, 0.125])).expect("a box");
         let found = manifolds(&cuboid, &Pose::at(vector([0.0, 0.25, 0.125 - deep])), &field, &Pose::IDENTITY);
         let [(_, manifold)] = found.as_slice() else { panic!("{found:?}") };
-        assert!(norm(sub(normal(manifold.normal), [0.0, 0.0, -1.0])) < 1e-6, "{manifold:?}");
-        let mut places: Vec<f64> = manifold.points().iter().map(|point| read(point.r_a)[1]).collect();
+        assert!(norm(sub(direction(manifold.normal), [0.0, 0.0, -1.0])) < 1e-6, "{manifold:?}");
+        let mut places: Vec<f64> = manifold.points().iter().map(|point| floats(point.r_a)[1]).collect();
         places.sort_by(f64::total_cmp);
         assert_eq!(places.len(), 2, "{manifold:?}");
         assert!((places[0] + 0.125).abs() < 1e-3 && (places[1] - 0.125).abs() < 1e-3, "{places:?}");

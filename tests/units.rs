@@ -2,8 +2,8 @@
 #![cfg(all(feature = "f64", any(feature = "f32", feature = "fixed", feature = "micromath")))]
 
 #[macro_use]
-#[path = "support/each_format.rs"]
-mod each_format;
+#[path = "support/each_number.rs"]
+mod each_number;
 #[path = "support/host.rs"]
 mod host;
 #[path = "support/random.rs"]

@@ -3,10 +3,9 @@
 //! What the cloth takes from rolling balls is a damping of both their motions, the same for both, so that they go on rolling.
 
 use carom::solver::Settings;
-use carom::world::WorldReport;
 use carom::{Body, BodyHandle, HalfSpace, Scalar, Scaled, UnitVec3, Vec3, World};
 
-use super::make::{ball, material, milli, settings, square, vector};
+use super::make::{ball, kernel_step, material, milli, settings, square, vector};
 
 carom::shapes! {
     /// A ball; the cloth or a cushion.
@@ -148,11 +147,6 @@ impl<'w, S: Scalar> Billiards<'w, S> {
     pub fn hash(&self) -> u64 {
         self.world.hash()
     }
-}
-
-#[inline(never)]
-fn kernel_step<S: Scalar>(world: &mut Room<S>, settings: &Settings<S>) -> WorldReport {
-    world.step(settings)
 }
 
 /// The hash after all steps.

@@ -7,10 +7,9 @@
 //! body does not have.
 
 use carom::solver::Settings;
-use carom::world::WorldReport;
 use carom::{BodyHandle, Scalar, Scaled, Sphere, Vec3, World};
 
-use super::make::{ball, material, milli, per_mille, square, vector};
+use super::make::{ball, kernel_step, material, milli, per_mille, square, vector};
 
 pub const BALLS: usize = 5;
 /// Four seconds: two swings.
@@ -104,11 +103,6 @@ impl<'w, S: Scalar> Cradle<'w, S> {
     pub fn hash(&self) -> u64 {
         self.world.hash()
     }
-}
-
-#[inline(never)]
-fn kernel_step<S: Scalar>(world: &mut Room<S>, settings: &Settings<S>) -> WorldReport {
-    world.step(settings)
 }
 
 /// The hash after all steps.

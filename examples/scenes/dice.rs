@@ -1,10 +1,9 @@
 //! Two dice of 16 mm on a table: thrown from a seed, they roll until they sleep.
 
 use carom::solver::Settings;
-use carom::world::WorldReport;
 use carom::{Body, BodyHandle, HalfSpace, Scalar, UnitVec3, Vec3, World};
 
-use super::make::{cube, material, settings, vector};
+use super::make::{cube, kernel_step, material, settings, vector};
 use super::random::Random;
 
 carom::shapes! {
@@ -94,11 +93,6 @@ fn top<S: Scalar>(body: &Body<S>) -> (u8, S::Unit) {
     let [_, _, up] = body.orientation().to_mat3().rows;
     let faces = [(1, up.x), (2, up.y), (3, up.z), (6, up.x.negated()), (5, up.y.negated()), (4, up.z.negated())];
     faces.into_iter().fold((0, S::Unit::ZERO), |best, face| if face.1 > best.1 { face } else { best })
-}
-
-#[inline(never)]
-fn kernel_step<S: Scalar>(world: &mut Room<S>, settings: &Settings<S>) -> WorldReport {
-    world.step(settings)
 }
 
 /// The hash after the throw of [`SEED`].

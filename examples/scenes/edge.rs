@@ -1,10 +1,9 @@
 //! A box of 10 cm on its edge, its centre of mass a little past it: it falls, however little that is.
 
 use carom::solver::Settings;
-use carom::world::WorldReport;
 use carom::{Body, BodyHandle, HalfSpace, Quat, Scalar, UnitVec3, Vec3, World};
 
-use super::make::{cube, material, settings};
+use super::make::{cube, kernel_step, material, settings};
 
 carom::shapes! {
     /// The box, or the ground.
@@ -79,11 +78,6 @@ impl<'w, S: Scalar> Toppling<'w, S> {
     pub fn hash(&self) -> u64 {
         self.world.hash()
     }
-}
-
-#[inline(never)]
-fn kernel_step<S: Scalar>(world: &mut Room<S>, settings: &Settings<S>) -> WorldReport {
-    world.step(settings)
 }
 
 /// The time until the box lies on its side, ms, and the hash of its state then; no time where it never does.

@@ -2,7 +2,8 @@
 //! acceleration of free fall is 98.1. Each scene counts masses in units of its own.
 
 use carom::solver::Settings;
-use carom::{Body, Cuboid, Material, Scalar, Sphere, Vec3};
+use carom::world::WorldReport;
+use carom::{Body, Collide, Cuboid, Material, Scalar, Sphere, Vec3, World};
 
 /// The acceleration of free fall, in thousandths of dm/s^2.
 pub const GRAVITY: i32 = 98_100;
@@ -53,4 +54,17 @@ pub fn square<S: Scalar>(v: Vec3<S>) -> S::Scaled {
 /// `part / whole` in thousandths.
 pub fn per_mille<S: Scalar>(part: S::Scaled, whole: S::Scaled) -> S {
     S::from_scaled(part / whole).0
+}
+
+/// A step of a world, in a function of its own: the checks of the linked firmware follow calls from here.
+#[inline(never)]
+pub fn kernel_step<S, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: usize>(
+    world: &mut World<S, Sh, BODIES, MANIFOLDS, POINTS>,
+    settings: &Settings<S>,
+) -> WorldReport
+where
+    S: Scalar,
+    Sh: Collide<S, Sh>,
+{
+    world.step(settings)
 }

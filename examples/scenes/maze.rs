@@ -1,10 +1,10 @@
 //! A marble in a maze that somebody tilts: walls from a table in flash, gravity from an accelerometer's trace.
 
 use carom::solver::Settings;
-use carom::world::{Phase, WorldReport};
+use carom::world::Phase;
 use carom::{Body, BodyHandle, Cuboid, HalfSpace, Scalar, UnitVec3, Vec3, World};
 
-use super::make::{GRAVITY, ball, material, settings, vector};
+use super::make::{GRAVITY, ball, kernel_step, material, settings, vector};
 use super::tilt::{self, TRACE};
 
 carom::shapes! {
@@ -105,11 +105,6 @@ impl<'w, S: Scalar> Maze<'w, S> {
     pub fn hash(&self) -> u64 {
         self.world.hash()
     }
-}
-
-#[inline(never)]
-fn kernel_step<S: Scalar>(world: &mut Room<S>, settings: &Settings<S>) -> WorldReport {
-    world.step(settings)
 }
 
 /// The hash at the end of the trace.

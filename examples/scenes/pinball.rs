@@ -1,10 +1,10 @@
 //! A pinball table with three bumpers and two flippers, and a player who flips when the ball comes near one.
 
 use carom::solver::Settings;
-use carom::world::{Phase, WorldReport};
+use carom::world::Phase;
 use carom::{Body, BodyHandle, Capsule, HalfSpace, Quat, Scalar, Sphere, UnitVec3, Vec3, World};
 
-use super::make::{ball, material, milli, vector};
+use super::make::{ball, kernel_step, material, milli, vector};
 
 carom::shapes! {
     /// Ball and bumpers; flippers and guides; the board and its sides.
@@ -242,11 +242,6 @@ impl<'w, S: Scalar> Pinball<'w, S> {
     pub fn hash(&self) -> u64 {
         self.world.hash()
     }
-}
-
-#[inline(never)]
-fn kernel_step<S: Scalar>(world: &mut Room<S>, settings: &Settings<S>) -> WorldReport {
-    world.step(settings)
 }
 
 /// The hash at the end of the game.

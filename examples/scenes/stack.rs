@@ -1,10 +1,9 @@
 //! Ten boxes of 10 cm on each other. Nobody sleeps: they stand by themselves.
 
 use carom::solver::Settings;
-use carom::world::WorldReport;
 use carom::{Body, BodyHandle, HalfSpace, Scalar, UnitVec3, Vec3, World};
 
-use super::make::{cube, material, milli, settings};
+use super::make::{cube, kernel_step, material, milli, settings};
 
 carom::shapes! {
     /// A box, or the ground.
@@ -63,11 +62,6 @@ impl<'w, S: Scalar> Stack<'w, S> {
     pub fn hash(&self) -> u64 {
         self.world.hash()
     }
-}
-
-#[inline(never)]
-fn kernel_step<S: Scalar>(world: &mut Room<S>, settings: &Settings<S>) -> WorldReport {
-    world.step(settings)
 }
 
 /// The hash after all steps.

@@ -8,7 +8,25 @@ use std::convert::identity;
 #[path = "host_scalar.rs"]
 mod host_scalar;
 
+use carom::{UnitVec3, Vec3};
 pub use host_scalar::HostScalar;
+
+/// The nearest number of the format, which has to hold it.
+pub fn number<S: HostScalar>(x: f64) -> S {
+    S::from_f64(x).expect("a number within the format")
+}
+
+pub fn vector<S: HostScalar>(v: [f64; 3]) -> Vec3<S> {
+    Vec3::from_array(v.map(number))
+}
+
+pub fn floats<S: HostScalar>(v: Vec3<S>) -> [f64; 3] {
+    v.to_array().map(S::to_f64)
+}
+
+pub fn direction<S: HostScalar>(n: UnitVec3<S>) -> [f64; 3] {
+    n.get().to_array().map(S::unit_to_f64)
+}
 
 #[cfg(feature = "f32")]
 host_float!(f32, f32, identity, identity);

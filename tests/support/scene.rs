@@ -7,6 +7,7 @@ use carom::{
 };
 
 use crate::host::HostScalar;
+pub use crate::host::{floats, number, vector};
 
 /// What a body looks like.
 #[derive(Clone, Copy, Debug)]
@@ -48,18 +49,6 @@ pub struct Scene<S: Scalar> {
     motions: Vec<Motion<S>>,
     manifolds: Vec<ManifoldConstraint<S>>,
     points: Vec<PointConstraint<S>>,
-}
-
-pub fn number<S: HostScalar>(x: f64) -> S {
-    S::from_f64(x).expect("a number within the format")
-}
-
-pub fn vector<S: HostScalar>(v: [f64; 3]) -> Vec3<S> {
-    Vec3::from_array(v.map(number))
-}
-
-pub fn floats<S: HostScalar>(v: Vec3<S>) -> [f64; 3] {
-    v.to_array().map(S::to_f64)
 }
 
 pub fn quat<S: HostScalar>(q: [f64; 4]) -> Quat<S> {
