@@ -33,7 +33,7 @@ use crate::scalar::Scalar;
 use crate::shape::Shape;
 use crate::solver::{ManifoldConstraint, Motion, PointConstraint, WarmStart};
 
-/// The places of bodies. (`enumerate` would count without a bound, and so with a check.)
+/// The places of bodies. (`enumerate` and `position` would count with a check.)
 const PLACES: core::ops::Range<u16> = 0..u16::MAX;
 
 /// Bodies with shapes, and what is between them: up to `BODIES` bodies, and in a step up to `MANIFOLDS` pairs of surfaces that touch
@@ -303,7 +303,8 @@ impl<S: Scalar, Sh: Shape<S>, const BODIES: usize, const MANIFOLDS: usize, const
     ) -> Result<BodyHandle, InsertError> {
         body.check().map_err(|_| InsertError::NotFinite)?;
         let shape = shape.into();
-        let vacant = self.slots.iter().position(|slot| slot.state == State::Vacant);
+        let vacant = self.slots.iter().zip(PLACES).find(|(slot, _)| slot.state == State::Vacant);
+        let vacant = vacant.map(|(_, index)| usize::from(index));
         let index = vacant.unwrap_or(self.slots.len());
         if vacant.is_none() {
             self.slots.push(Slot::VACANT).map_err(|_| InsertError::Full)?;

@@ -77,9 +77,9 @@ pub fn is_for(example: &str, feature: &str) -> bool {
     cases(example).iter().flat_map(|case| case.scalars).any(|scalar| scalar.feature() == feature)
 }
 
-/// Whether the example's firmware is looked at with every check on, too: of those with a world, which share its code, one.
+/// Whether the example's firmware is looked at with every check on, too: of those with a world, which share its code, two.
 pub fn also_checked(example: &str) -> bool {
-    !matches!(example, "billiards" | "edge" | "marble_maze" | "newtons_cradle" | "pinball" | "stack" | "tosses")
+    !matches!(example, "billiards" | "edge" | "marble_maze" | "newtons_cradle" | "stack" | "tosses")
 }
 
 /// Whether this machine runs the example unoptimised too, and compares.
