@@ -81,12 +81,14 @@ fn scores<'a>(text: &'a str, words: &str) -> [&'a str; 3] {
     ["position", "rotation", "face"].map(after)
 }
 
+/// What `validate tosses` prints in that number type, if it is there.
+fn replayed(number: Number) -> Option<String> {
+    let file = NUMBERS.contains(&number).then(|| validation::file("cube_tosses/cube_tosses_dev60.csv"))??;
+    Some(scalars::run(number, Replay(number, &file)))
+}
+
 fn toss_row(number: Number) {
-    if !NUMBERS.contains(&number) {
-        return;
-    }
-    let Some(file) = validation::file("cube_tosses/cube_tosses_dev60.csv") else { return };
-    let text = scalars::run(number, Replay(number, &file));
+    let Some(text) = replayed(number) else { return };
     let [nominal, least, most] = ["parameters as given", "the least", "the most"].map(|words| scores(&text, words));
     let spread = [0, 1, 2].map(|i| format!("{} to {}", least[i], most[i]));
     let row = format!("| `{number}` | {} | {} |", nominal.join(" | "), spread.join(" | "));
@@ -106,4 +108,12 @@ fn the_tosses_in_i16f16() {
 #[test]
 fn the_tosses_in_i12f20() {
     toss_row(Number::I12F20);
+}
+
+#[test]
+fn the_tosses_at_other_frictions() {
+    let Some(text) = replayed(Number::F32) else { return };
+    let positions = ["0.10", "0.14", "0.18", "0.22", "0.30"].map(|mu| scores(&text, &format!("friction {mu}"))[0]);
+    let row = format!("| position in `f32` | {} |", positions.join(" | "));
+    assert!(include_str!("../docs/validation.md").contains(&row), "docs/validation.md's row should read\n{row}");
 }
