@@ -11,6 +11,7 @@ mod meet;
 mod slot;
 mod step;
 mod wake;
+mod way;
 
 use heapless::Vec;
 

@@ -103,6 +103,14 @@ impl<S: Scalar> Vec3<S> {
         Self::new(length.times_unit(d.x), length.times_unit(d.y), length.times_unit(d.z))
     }
 
+    /// |x| + |y| + |z|: no less than the length.
+    #[inline(always)]
+    #[must_use]
+    pub(crate) fn taxicab(self) -> S {
+        let Self { x, y, z } = self.magnitudes();
+        x.plus(y).plus(z)
+    }
+
     /// Half the vector, in fixed point rounded.
     #[inline(always)]
     #[must_use]

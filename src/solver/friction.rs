@@ -32,4 +32,26 @@ impl<S: Scalar> PointConstraint<S> {
         pair.push(&tangents[0], &self.tangents[0], after[0].minus(before_x));
         pair.push(&tangents[1], &self.tangents[1], after[1].minus(before_y));
     }
+    /// Where a blow is over, its friction is, too: what is left of it goes into the disc again, or it would shift the bodies
+    /// for a sub-step.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn let_go(&mut self, pair: &mut Pair<'_, S>, tangents: &[Vec3<S::Unit>; 2]) {
+        let [normal, before_x, before_y] = self.impulse;
+        let limit = S::Step::by_ratio(normal, self.friction);
+        if S::Step::is_within([before_x, before_y], limit) {
+            return;
+        }
+        let after = S::Step::shortened([before_x, before_y], limit);
+        self.rub(pair, tangents, after);
+    }
+
+    /// Friction becomes that.
+    #[inline(always)]
+    fn rub(&mut self, pair: &mut Pair<'_, S>, tangents: &[Vec3<S::Unit>; 2], [x, y]: [S; 2]) {
+        let [normal, before_x, before_y] = self.impulse;
+        self.impulse = [normal, x, y];
+        pair.push(&tangents[0], &self.tangents[0], x.minus(before_x));
+        pair.push(&tangents[1], &self.tangents[1], y.minus(before_y));
+    }
 }

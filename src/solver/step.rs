@@ -11,7 +11,7 @@ use super::warm_start::{Kept, WarmStart};
 use crate::body::Body;
 use crate::contact::{Material, RestitutionLaw};
 use crate::manifold::Manifold;
-use crate::math::{Vec3, clamp};
+use crate::math::{Vec3, clamp, max};
 use crate::scalar::{Scalar, Scaled, StepArithmetic};
 
 type Places<S> = <<S as Scalar>::Step as StepArithmetic<S>>::Places;
@@ -89,6 +89,9 @@ impl<'a, S: Scalar> Step<'a, S> {
             places = S::Step::fit(places, &body.linear_velocity, S::Step::NO_PLACES, sum.wrapping_add(HEAD_OF_SPEEDS));
             if motion.moves() {
                 places = S::Step::fit(places, &body.angular_velocity, motion.size, sum.wrapping_add(HEAD_OF_SPINS));
+            } else if body.angular_velocity != Vec3::ZERO {
+                let speed = Vec3::new(surface_speed(body, bodies), S::ZERO, S::ZERO);
+                places = S::Step::fit(places, &speed, S::Step::NO_PLACES, sum.wrapping_add(HEAD_OF_SPEEDS));
             }
         }
         let mut motions = buffers.motions.iter_mut();
@@ -249,6 +252,19 @@ impl<'a, S: Scalar> Step<'a, S> {
     }
 }
 
+/// No less than the speed of the surface of a body that the caller turns, where others may touch it.
+#[cold]
+#[inline(never)]
+fn surface_speed<S: Scalar>(turned: &Body<S>, bodies: &[Body<S>]) -> S {
+    let mut farthest = S::ZERO;
+    for body in bodies {
+        if !body.is_immovable() && body.position.is_finite() {
+            farthest = max(farthest, (body.position - turned.position).taxicab());
+        }
+    }
+    turned.angular_velocity.taxicab().times(farthest)
+}
+
 impl<S: Scalar> Constraints<'_, S> {
     fn integrate_velocities(&mut self, settings: &Settings<S>) {
         let mut motions = self.buffers.motions.iter_mut();
@@ -313,7 +329,11 @@ impl<S: Scalar> Constraints<'_, S> {
             let Some(mut pair) = Pair::of(motions, manifold) else { return };
             let softness = if manifold.hard { &settings.hard } else { &settings.soft };
             for point in points {
+                let before = point.impulse[0];
                 point.solve_normal(&mut pair, &manifold.normal, softness, push_out_speed);
+                if point.impulse[0] < S::Step::half(before) {
+                    point.let_go(&mut pair, &manifold.tangents);
+                }
             }
         }
     }

@@ -5,7 +5,7 @@
 
 use super::contacts::Entry;
 use super::slot::Slot;
-use super::step::magnitude;
+
 use super::{PLACES, World};
 use crate::body::Body;
 use crate::math::max;
@@ -115,7 +115,7 @@ fn find<S: Scalar>(slots: &[Slot<S>], index: u16) -> u16 {
 /// Counts the steps for which a body has been still. The first third of the time is for settling, in the second the speed is
 /// watched, and in the last it must not be higher.
 fn count<S: Scalar>(slot: &mut Slot<S>, body: &Body<S>, enough: u8) {
-    let speed = magnitude(body.linear_velocity).plus(magnitude(body.angular_velocity).times(slot.size));
+    let speed = body.linear_velocity.taxicab().plus(body.angular_velocity.taxicab().times(slot.size));
     let noise = S::STEP.times_integer(NOISE);
     let bound = slot.size.lowered_by(STILL).plus(noise);
     let (watched, judged) = (enough / 3, enough - enough / 3);

@@ -4,6 +4,7 @@ use heapless::Vec;
 
 use super::contacts::{Entry, Finder, Key, Kind};
 use super::slot::Slot;
+use super::way::{Found, LOOKS, Way};
 use crate::broad_phase::PairSink;
 use crate::contact::{Material, RestitutionLaw};
 use crate::manifold::Manifold;
@@ -24,12 +25,16 @@ pub(super) fn near<S: Scalar>(size: S) -> S {
 /// Takes pairs of boxes, and adds what their shapes come to.
 pub(super) struct Meeting<'w, 's, S: Scalar, Sh, const MANIFOLDS: usize> {
     pub step: Step<'s, S>,
-    pub slots: &'w [Slot<S>],
+    pub slots: &'w mut [Slot<S>],
     pub shapes: &'w [Sh],
     pub materials: &'w [Material<S>],
     pub poses: &'w [Pose<S>],
     pub before: &'w [Key],
     pub warm: &'w [WarmStart<S>],
+    /// The length of the step.
+    pub dt: S::Unit,
+    /// Only the ways of fast bodies are looked at.
+    pub scouting: bool,
     pub contacts: &'w mut Vec<Entry<S>, MANIFOLDS, u16>,
     pub finder: Finder,
     /// The impulses kept so far.
@@ -39,6 +44,8 @@ pub(super) struct Meeting<'w, 's, S: Scalar, Sh, const MANIFOLDS: usize> {
     pub pair: [u16; 2],
     pub material: Material<S>,
     pub manifold: Manifold<S>,
+    /// Of a fast pair.
+    pub way: Option<Way<S>>,
 }
 
 impl<'w, S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> Meeting<'w, '_, S, Sh, MANIFOLDS> {
@@ -50,10 +57,14 @@ impl<'w, S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> Meeting<'w, '_, 
             return None;
         }
         let (shape_a, shape_b) = (self.shapes.get(i)?, self.shapes.get(j)?);
-        let (pose_a, pose_b) = (self.poses.get(i)?, self.poses.get(j)?);
+        let poses = [self.poses.get(i)?, self.poses.get(j)?];
+        let reach = slot_a.reach.plus(slot_b.reach);
+        if self.scouting && reach == S::ZERO {
+            return None;
+        }
         self.pair = [a, b];
         if slot_a.sensor || slot_b.sensor {
-            if shape_a.overlaps(pose_a, shape_b, pose_b) {
+            if !self.scouting && shape_a.overlaps(poses[0], shape_b, poses[1]) {
                 let former = self.former(0);
                 self.enter(0, 0, Kind::Sensed, former);
             }
@@ -62,9 +73,56 @@ impl<'w, S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> Meeting<'w, '_, 
         if !(slot_a.is_awake() || slot_b.is_awake()) {
             return None;
         }
+        let size = min(slot_a.size, slot_b.size);
+        if reach > S::ZERO {
+            return self.meet_ahead([shape_a, shape_b], poses, size, reach);
+        }
         self.material = mixed(self.materials.get(i)?, self.materials.get(j)?);
-        let margin = near(min(slot_a.size, slot_b.size)).plus(slot_a.reach).plus(slot_b.reach);
-        shape_a.collide(pose_a, shape_b, pose_b, margin, self);
+        shape_a.collide(poses[0], shape_b, poses[1], near(size), self);
+        None
+    }
+
+    /// The same for a pair of which one is fast: contacts are made where on their way the surfaces meet, and lengthened by the way
+    /// there. After a body has been turned aside, its way is not known: what it may reach then has contacts as it is at the start of
+    /// the step. They may hold it up beside a surface, but it does not pass through.
+    #[inline(never)]
+    fn meet_ahead(&mut self, [shape_a, shape_b]: [&Sh; 2], poses: [&Pose<S>; 2], size: S, reach: S) -> Option<()> {
+        let [i, j] = [usize::from(self.pair[0]), usize::from(self.pair[1])];
+        let velocity = |i: usize| self.step.bodies().get(i).map(|body| body.linear_velocity);
+        let (slot_a, slot_b) = (self.slots.get(i)?, self.slots.get(j)?);
+        let aside = min(slot_a.aside, slot_b.aside);
+        let swing = slot_a.swing.plus(slot_b.swing);
+        let mut way = Way::new([velocity(i)?, velocity(j)?], self.dt, near(size).plus(swing));
+        let margin = near(size).plus(reach);
+        let (mut found, mut looks) = (Found::Way, LOOKS);
+        while found == Found::Way && looks > 0 {
+            looks = looks.wrapping_sub(1);
+            way.look();
+            let [pose_a, pose_b] = way.poses(poses);
+            self.way = Some(way);
+            shape_a.collide(&pose_a, shape_b, &pose_b, margin, self);
+            way = self.way.take()?;
+            found = way.go_on();
+        }
+        if self.scouting {
+            // What is only grazed, as the ground by a ball that rolls, turns nothing aside.
+            if found == Found::Way || found == Found::Touch && way.blow() > size {
+                for i in [i, j] {
+                    let slot = self.slots.get_mut(i)?;
+                    slot.aside = min(slot.aside, way.at());
+                }
+            }
+            return None;
+        }
+        if found == Found::Nothing && aside == S::Unit::ONE {
+            return None;
+        }
+        way.stop(found != Found::Nothing && way.at() <= aside);
+        self.material = mixed(self.materials.get(i)?, self.materials.get(j)?);
+        let [pose_a, pose_b] = way.poses(poses);
+        self.way = Some(way);
+        shape_a.collide(&pose_a, shape_b, &pose_b, margin, self);
+        self.way = None;
         None
     }
 
@@ -99,6 +157,9 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> ManifoldSink<S> for 
     }
 
     fn take(&mut self, part: u32) {
+        if self.way.as_mut().is_some_and(|way| !way.take(&mut self.manifold)) {
+            return;
+        }
         let former = self.former(part);
         let warm = former.and_then(|key| {
             let first = usize::from(key.first);

@@ -39,6 +39,10 @@ pub(super) struct Slot<S: Scalar> {
     pub reach: S,
     /// The size of the shape: tolerances are relative to it.
     pub size: S,
+    /// How much of that its turning may bring.
+    pub swing: S,
+    /// The part of the step after which something turns it aside from its way.
+    pub aside: S::Unit,
 }
 
 impl<S: Scalar> Slot<S> {
@@ -54,6 +58,8 @@ impl<S: Scalar> Slot<S> {
         fastest: S::ZERO,
         reach: S::ZERO,
         size: S::ZERO,
+        swing: S::ZERO,
+        aside: S::Unit::ZERO,
     };
 
     /// Whether it may run into others.

@@ -10,7 +10,7 @@ use crate::body::Body;
 use crate::broad_phase::PairSink;
 use crate::contact::Material;
 use crate::manifold::Manifold;
-use crate::math::{Pose, UnitVec3, Vec3, abs, min};
+use crate::math::{Pose, UnitVec3, Vec3, min};
 use crate::scalar::Scalar;
 use crate::shape::{Collide, Shape};
 use crate::solver::{Buffers, Settings, Step, drive};
@@ -155,12 +155,14 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
         }
         let mut meeting = Meeting {
             step,
-            slots: &self.slots,
+            slots: &mut self.slots,
             shapes: &self.shapes,
             materials: &self.materials,
             poses: &self.poses,
             before: &self.before,
             warm: &self.warm,
+            dt: settings.dt,
+            scouting: false,
             contacts: &mut self.contacts,
             finder: Finder::new(),
             points: kept,
@@ -168,7 +170,13 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
             pair: [0; 2],
             material: Material::DEAD,
             manifold: Manifold::empty(UnitVec3::Z),
+            way: None,
         };
+        if meeting.slots.iter().any(|slot| slot.reach > S::ZERO) {
+            meeting.scouting = true;
+            self.sweep.sweep(&self.boxes, &mut meeting);
+            meeting.scouting = false;
+        }
         self.sweep.sweep(&self.boxes, &mut meeting);
         report.dropped = meeting.dropped;
         report.points = meeting.points.wrapping_sub(kept) as u16;
@@ -232,24 +240,19 @@ fn place_body<S: Scalar, Sh: Shape<S>>(
 ) {
     *pose = Pose::new(body.position, body.orientation());
     let tight = shape.aabb(pose);
-    slot.reach = S::ZERO;
+    (slot.reach, slot.swing, slot.aside) = (S::ZERO, S::ZERO, S::Unit::ONE);
     if slot.is_active() {
         let outer = shape.outer_radius();
-        let turned = magnitude(body.angular_velocity).times_unit(dt).times(outer);
+        let turned = body.angular_velocity.taxicab().times_unit(dt).times(outer);
         // No turn brings the surface farther out than the ball around the shape.
-        let way = magnitude(body.linear_velocity).times_unit(dt).plus(min(turned, outer.minus(slot.size)));
+        let swing = min(turned, outer.minus(slot.size));
+        let way = body.linear_velocity.taxicab().times_unit(dt).plus(swing);
         // Slower ones may sink in by as much, and are pushed out.
         if way > slot.size {
-            slot.reach = way;
+            (slot.reach, slot.swing) = (way, swing);
         }
     }
     *bounds = tight.expanded(near(slot.size).plus(slot.reach));
-}
-
-/// |x| + |y| + |z|: no less than the length.
-#[inline(always)]
-pub(super) fn magnitude<S: Scalar>(v: Vec3<S>) -> S {
-    abs(v.x).plus(abs(v.y)).plus(abs(v.z))
 }
 
 /// Wakes the sleeping one of a pair of boxes if the other is loud.
