@@ -22,10 +22,8 @@ impl<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: u
     World<S, Sh, BODIES, MANIFOLDS, POINTS>
 {
     /// Puts to sleep what has been still for long enough.
+    #[inline(never)]
     pub(super) fn rest(&mut self, settings: &Settings<S>) {
-        if self.sleepless {
-            return;
-        }
         self.keep_carried_awake();
         let enough = settings.half_second;
         let mut any = false;

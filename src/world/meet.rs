@@ -23,7 +23,7 @@ pub(super) fn near<S: Scalar>(size: S) -> S {
 
 /// Takes pairs of boxes, and adds what their shapes come to.
 pub(super) struct Meeting<'w, 's, S: Scalar, Sh, const MANIFOLDS: usize> {
-    pub step: Step<'s, S>,
+    pub step: &'w mut Step<'s, S>,
     pub slots: &'w [Slot<S>],
     pub shapes: &'w [Sh],
     pub materials: &'w [Material<S>],
@@ -38,7 +38,10 @@ pub(super) struct Meeting<'w, 's, S: Scalar, Sh, const MANIFOLDS: usize> {
     /// The pair at hand, and what is made of it.
     pub pair: [u16; 2],
     pub material: Material<S>,
-    pub manifold: Manifold<S>,
+    pub manifold: &'w mut Manifold<S>,
+    /// One of the two is a sensor, and what it overlaps.
+    pub senses: bool,
+    pub sensed: bool,
 }
 
 impl<'w, S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> Meeting<'w, '_, S, Sh, MANIFOLDS> {
@@ -52,19 +55,20 @@ impl<'w, S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> Meeting<'w, '_, 
         let (shape_a, shape_b) = (self.shapes.get(i)?, self.shapes.get(j)?);
         let (pose_a, pose_b) = (self.poses.get(i)?, self.poses.get(j)?);
         self.pair = [a, b];
-        if slot_a.sensor || slot_b.sensor {
-            if shape_a.overlaps(pose_a, shape_b, pose_b) {
-                let former = self.former(0);
-                self.enter(0, 0, Kind::Sensed, former);
+        let mut margin = near(min(slot_a.size, slot_b.size));
+        (self.senses, self.sensed) = (slot_a.sensor || slot_b.sensor, false);
+        if !self.senses {
+            if !(slot_a.is_awake() || slot_b.is_awake()) {
+                return None;
             }
-            return None;
+            self.material = mixed(self.materials.get(i)?, self.materials.get(j)?);
+            margin = margin.plus(slot_a.reach).plus(slot_b.reach);
         }
-        if !(slot_a.is_awake() || slot_b.is_awake()) {
-            return None;
-        }
-        self.material = mixed(self.materials.get(i)?, self.materials.get(j)?);
-        let margin = near(min(slot_a.size, slot_b.size)).plus(slot_a.reach).plus(slot_b.reach);
         shape_a.collide(pose_a, shape_b, pose_b, margin, self);
+        if self.sensed {
+            let former = self.former(0);
+            self.enter(0, 0, Kind::Sensed, former);
+        }
         None
     }
 
@@ -94,17 +98,23 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> PairSink for Meeting
 }
 
 impl<S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> ManifoldSink<S> for Meeting<'_, '_, S, Sh, MANIFOLDS> {
+    #[inline(always)]
     fn place(&mut self) -> &mut Manifold<S> {
-        &mut self.manifold
+        self.manifold
     }
 
+    #[inline(never)]
     fn take(&mut self, part: u32) {
+        if self.senses {
+            self.sensed |= self.manifold.points().iter().any(|point| point.separation <= S::ZERO);
+            return;
+        }
         let former = self.former(part);
         let warm = former.and_then(|key| {
             let first = usize::from(key.first);
             self.warm.get(first..first.saturating_add(usize::from(key.points)))
         });
-        if self.contacts.is_full() || !self.step.add(self.pair, &self.manifold, &self.material, warm.unwrap_or(&[])) {
+        if self.contacts.is_full() || !self.step.add(self.pair, self.manifold, &self.material, warm.unwrap_or(&[])) {
             self.dropped = self.dropped.saturating_add(1);
             return;
         }

@@ -9,11 +9,10 @@ use crate::aabb::Aabb;
 use crate::body::Body;
 use crate::broad_phase::PairSink;
 use crate::contact::Material;
-use crate::manifold::Manifold;
-use crate::math::{Pose, UnitVec3, Vec3, abs, min};
+use crate::math::{Pose, Vec3, abs, min};
 use crate::scalar::Scalar;
 use crate::shape::{Collide, Shape};
-use crate::solver::{Buffers, Settings, Step, drive};
+use crate::solver::{Buffers, Settings, Step, WarmStart, drive};
 
 /// What a step has to say.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -47,12 +46,16 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
         let mut report = WorldReport::default();
         self.look(&mut report);
         self.place(settings.dt);
-        self.rouse();
+        if self.slots.iter().any(Slot::is_asleep) {
+            self.rouse();
+        }
         self.note_before();
         self.keep_sleeping();
         self.solve(settings, &mut report);
         self.drive(settings, &mut report);
-        self.rest(settings);
+        if !self.sleepless {
+            self.rest(settings);
+        }
         report.manifolds = self.contacts.len() as u16;
         for slot in &self.slots {
             report.asleep = report.asleep.wrapping_add(u16::from(slot.is_asleep()));
@@ -96,10 +99,8 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
     }
 
     /// Wakes what sleeps near something that moves.
+    #[inline(never)]
     fn rouse(&mut self) {
-        if !self.slots.iter().any(Slot::is_asleep) {
-            return;
-        }
         // A pass wakes an island at least.
         loop {
             let mut alarm = Alarm { slots: &mut self.slots, rang: false };
@@ -136,23 +137,21 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
     fn drive(&mut self, settings: &Settings<S>, report: &mut WorldReport) {
         for (slot, body) in self.slots.iter().zip(&mut self.bodies) {
             if slot.is_driven() {
-                report.saturated |= drive(body, settings);
+                report.saturated |= drive_body(body, settings);
             }
         }
     }
 
+    /// Contacts and motion. Its parts have frames of their own: the stack is as deep as the deepest of them, not as their sum.
+    #[inline(never)]
     fn solve(&mut self, settings: &Settings<S>, report: &mut WorldReport) {
-        let buffers = Buffers { motions: &mut self.motions, manifolds: &mut self.manifolds, points: &mut self.points };
-        let mut step = Step::begin(&mut self.bodies, buffers, settings);
-        for (slot, index) in self.slots.iter().zip(PLACES) {
-            if matches!(slot.state, State::Asleep | State::Quarantined | State::Vacant) {
-                step.hold(usize::from(index));
-            }
-        }
         let mut kept = 0usize;
         for entry in &self.contacts {
             kept = kept.wrapping_add(usize::from(entry.key.points));
         }
+        let buffers = Buffers { motions: &mut self.motions, manifolds: &mut self.manifolds, points: &mut self.points };
+        let mut made = Some(begin(&mut self.bodies, buffers, settings, &self.slots));
+        let Some(step) = &mut made else { return };
         let mut meeting = Meeting {
             step,
             slots: &self.slots,
@@ -167,46 +166,82 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
             dropped: 0,
             pair: [0; 2],
             material: Material::DEAD,
-            manifold: Manifold::empty(UnitVec3::Z),
+            manifold: &mut self.manifold,
+            senses: false,
+            sensed: false,
         };
         self.sweep.sweep(&self.boxes, &mut meeting);
         report.dropped = meeting.dropped;
         report.points = meeting.points.wrapping_sub(kept) as u16;
-        let (mut constraints, solved) = meeting.step.finish();
-        report.saturated = solved.saturated;
-
-        // Impulses of sleeping contacts move to the front: places before their own.
-        let mut free = 0;
-        for entry in self.contacts.iter_mut().take_while(|entry| entry.kind == Kind::Kept) {
-            let first = usize::from(entry.key.first);
-            entry.key.first = free as u16;
-            for offset in 0..usize::from(entry.key.points) {
-                let Some(&warm) = self.warm.get(first.wrapping_add(offset)) else { continue };
-                if let Some(place) = self.warm.get_mut(free) {
-                    *place = warm;
-                }
-                free = free.wrapping_add(1);
-            }
-        }
-        let warm = &mut self.warm;
-        constraints.impulses(|_, impulses| {
-            for impulse in impulses {
-                if let Some(place) = warm.get_mut(free) {
-                    *place = *impulse;
-                }
-                free = free.wrapping_add(1);
-            }
-        });
-        let mut solved = self.contacts.iter_mut().filter(|entry| entry.kind == Kind::Solved);
-        constraints.touches(|_, touch| {
-            if let Some(entry) = solved.next() {
-                entry.key.touching = touch.pushed;
-                entry.normal_impulse = touch.impulse;
-                entry.approach_speed = touch.approach;
-            }
-        });
+        report.saturated = finish(&mut made, &mut self.warm, &mut self.contacts);
         end_others(&mut self.before, &self.contacts);
     }
+}
+
+/// Reads the velocities; what sleeps stays as it is.
+#[inline(never)]
+fn begin<'a, S: Scalar>(
+    bodies: &'a mut [Body<S>],
+    buffers: Buffers<'a, S>,
+    settings: &Settings<S>,
+    slots: &[Slot<S>],
+) -> Step<'a, S> {
+    let mut step = Step::begin(bodies, buffers, settings);
+    for (slot, index) in slots.iter().zip(PLACES) {
+        if matches!(slot.state, State::Asleep | State::Quarantined | State::Vacant) {
+            step.hold(usize::from(index));
+        }
+    }
+    step
+}
+
+/// Solves, moves the bodies, and keeps what the next step and the caller want to know of the contacts. Whether a number met the end
+/// of the format. (A step given by value would be copied, in the caller's frame.)
+#[inline(never)]
+fn finish<S: Scalar>(step: &mut Option<Step<'_, S>>, warm: &mut [WarmStart<S>], contacts: &mut [Entry<S>]) -> bool {
+    let Some(step) = step.take() else { return false };
+    let (mut constraints, solved) = step.finish();
+    let mut free = keep_impulses(warm, contacts);
+    constraints.impulses(|_, impulses| {
+        for impulse in impulses {
+            if let Some(place) = warm.get_mut(free) {
+                *place = *impulse;
+            }
+            free = free.wrapping_add(1);
+        }
+    });
+    let mut entries = contacts.iter_mut().filter(|entry| entry.kind == Kind::Solved);
+    constraints.touches(|_, touch| {
+        if let Some(entry) = entries.next() {
+            entry.key.touching = touch.pushed;
+            entry.normal_impulse = touch.impulse;
+            entry.approach_speed = touch.approach;
+        }
+    });
+    solved.saturated
+}
+
+/// Impulses of sleeping contacts move to the front: places before their own. The first place that is free.
+fn keep_impulses<S: Scalar>(warm: &mut [WarmStart<S>], contacts: &mut [Entry<S>]) -> usize {
+    let mut free = 0usize;
+    for entry in contacts.iter_mut().take_while(|entry| entry.kind == Kind::Kept) {
+        let first = usize::from(entry.key.first);
+        entry.key.first = free as u16;
+        for offset in 0..usize::from(entry.key.points) {
+            let Some(&kept) = warm.get(first.wrapping_add(offset)) else { continue };
+            if let Some(place) = warm.get_mut(free) {
+                *place = kept;
+            }
+            free = free.wrapping_add(1);
+        }
+    }
+    free
+}
+
+/// Few bodies are driven: not in the frame of the step.
+#[inline(never)]
+fn drive_body<S: Scalar>(body: &mut Body<S>, settings: &Settings<S>) -> bool {
+    drive(body, settings)
 }
 
 /// Takes the mark of touching from old keys whose pair still touches: those that keep it have ended.
@@ -222,6 +257,7 @@ fn end_others<S: Scalar>(before: &mut [Key], contacts: &[Entry<S>]) {
 }
 
 /// Where a body's shape is, and what it may reach in the step.
+#[inline(never)]
 fn place_body<S: Scalar, Sh: Shape<S>>(
     slot: &mut Slot<S>,
     body: &Body<S>,
