@@ -123,6 +123,7 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> ManifoldSink<S> for 
 }
 
 /// What two surfaces come to: the geometric means of their coefficients.
+#[inline(always)]
 fn mixed<S: Scalar>(a: &Material<S>, b: &Material<S>) -> Material<S> {
     let mix = |a, b| if a == b { a } else { mean(a, b) };
     let law = if a.law == RestitutionLaw::EnergySafe { a.law } else { b.law };

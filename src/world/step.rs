@@ -44,13 +44,7 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
             self.wake_all();
         }
         let mut report = WorldReport::default();
-        self.look(&mut report);
-        self.place(settings.dt);
-        if self.slots.iter().any(Slot::is_asleep) {
-            self.rouse();
-        }
-        self.note_before();
-        self.keep_sleeping();
+        self.prepare(settings.dt, &mut report);
         self.solve(settings, &mut report);
         self.drive(settings, &mut report);
         if !self.sleepless {
@@ -61,6 +55,18 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
             report.asleep = report.asleep.wrapping_add(u16::from(slot.is_asleep()));
         }
         report
+    }
+
+    /// What comes before the solver, in a frame of its own.
+    #[inline(never)]
+    fn prepare(&mut self, dt: S::Unit, report: &mut WorldReport) {
+        self.look(report);
+        self.place(dt);
+        if self.slots.iter().any(Slot::is_asleep) {
+            self.rouse();
+        }
+        self.note_before();
+        self.keep_sleeping();
     }
 
     /// What each body does in this step.
@@ -266,14 +272,17 @@ fn place_body<S: Scalar, Sh: Shape<S>>(
     pose: &mut Pose<S>,
     bounds: &mut Aabb<S>,
 ) {
-    *pose = Pose::new(body.position, body.orientation());
+    pose.position = body.position;
+    pose.rotation = body.orientation().to_mat3();
     let tight = shape.aabb(pose);
     slot.reach = S::ZERO;
     if slot.is_active() {
-        let outer = shape.outer_radius();
-        let turned = magnitude(body.angular_velocity).times_unit(dt).times(outer);
-        // No turn brings the surface farther out than the ball around the shape.
-        let way = magnitude(body.linear_velocity).times_unit(dt).plus(min(turned, outer.minus(slot.size)));
+        let mut way = magnitude(body.linear_velocity).times_unit(dt);
+        // No turn brings the surface farther out than the ball around the shape: that of a ball nowhere.
+        let (outer, most) = (shape.outer_radius(), shape.outer_radius().minus(slot.size));
+        if most != S::ZERO {
+            way = way.plus(min(magnitude(body.angular_velocity).times_unit(dt).times(outer), most));
+        }
         // Slower ones may sink in by as much, and are pushed out.
         if way > slot.size {
             slot.reach = way;
