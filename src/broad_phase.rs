@@ -132,11 +132,7 @@ impl<M: AsMut<[u16]>> SweepAndPrune<M> {
         }
         self.left = self.left.wrapping_sub(1);
         let order = self.order.as_mut().get_mut(..self.len as usize).unwrap_or_default();
-        match self.axis {
-            Axis::X => sort::<S, 0>(order, boxes),
-            Axis::Y => sort::<S, 1>(order, boxes),
-            Axis::Z => sort::<S, 2>(order, boxes),
-        }
+        sort(order, boxes, self.axis)
     }
 
     /// The next pair, in code that all sinks share.
@@ -261,8 +257,8 @@ impl Place {
 
 /// Insertion sort by where the boxes begin, and where they begin together by their numbers: one order, wherever it came from.
 /// The number of comparisons.
-fn sort<S: Scalar, const AXIS: u8>(order: &mut [u16], boxes: &[Aabb<S>]) -> usize {
-    let begin = |number: u16| boxes.get(usize::from(number)).map_or(S::LARGEST, |of| along::<S, AXIS>(&of.min));
+fn sort<S: Scalar>(order: &mut [u16], boxes: &[Aabb<S>], axis: Axis) -> usize {
+    let begin = |number: u16| boxes.get(usize::from(number)).map_or(S::LARGEST, |of| axis.of(&of.min));
     let (Some(&first), mut place, mut compared) = (order.first(), 0usize, 0usize) else { return 0 };
     let mut last = (begin(first), first);
     while let Some(&number) = order.get(place.wrapping_add(1)) {

@@ -2,7 +2,7 @@
 
 use heapless::Vec;
 
-use super::contacts::{Entry, Finder, Key, Kind};
+use super::contacts::{Entry, Finder, Key, Kind, NO_FORMER};
 use super::slot::Slot;
 use crate::broad_phase::PairSink;
 use crate::contact::{Material, RestitutionLaw};
@@ -73,17 +73,20 @@ impl<'w, S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> Meeting<'w, '_, 
     }
 
     /// The pair in the step before.
-    fn former(&mut self, part: u32) -> Option<&'w Key> {
+    fn former(&mut self, part: u32) -> Option<(usize, &'w Key)> {
         let [a, b] = self.pair;
-        self.finder.find(self.before, a, b, part).and_then(|index| self.before.get(index))
+        self.finder.find(self.before, a, b, part)
     }
 
     /// Puts the pair into the table.
-    fn enter(&mut self, part: u32, points: u8, kind: Kind, former: Option<&Key>) {
+    fn enter(&mut self, part: u32, points: u8, kind: Kind, former: Option<(usize, &Key)>) {
         let [a, b] = self.pair;
-        let touched_before = former.is_some_and(|key| key.touching);
+        let (touched_before, former) = match former {
+            Some((index, former)) => (former.touching, index as u16),
+            None => (false, NO_FORMER),
+        };
         let key = Key { a, b, part, first: self.points as u16, points, touching: kind == Kind::Sensed };
-        if self.contacts.push(Entry::new(key, kind, touched_before)).is_err() {
+        if self.contacts.push(Entry::new(key, kind, touched_before, former)).is_err() {
             self.dropped = self.dropped.saturating_add(1);
         }
         self.points = self.points.wrapping_add(usize::from(points));
@@ -110,7 +113,7 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> ManifoldSink<S> for 
             return;
         }
         let former = self.former(part);
-        let warm = former.and_then(|key| {
+        let warm = former.and_then(|(_, key)| {
             let first = usize::from(key.first);
             self.warm.get(first..first.saturating_add(usize::from(key.points)))
         });

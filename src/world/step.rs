@@ -1,6 +1,6 @@
 //! A step of the world, stage after stage.
 
-use super::contacts::{Entry, Finder, Key, Kind};
+use super::contacts::{Entry, Finder, Key, Kind, NO_FORMER};
 use super::meet::{Meeting, near};
 use super::slot::{Slot, State};
 use super::wake::wake_island;
@@ -12,7 +12,7 @@ use crate::contact::Material;
 use crate::math::{Pose, Vec3, abs, min};
 use crate::scalar::Scalar;
 use crate::shape::{Collide, Shape};
-use crate::solver::{Buffers, Settings, Step, WarmStart, drive};
+use crate::solver::{Buffers, Constraints, Settings, Step, WarmStart, drive};
 
 /// What a step has to say.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -48,12 +48,9 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
         self.solve(settings, &mut report);
         self.drive(settings, &mut report);
         if !self.sleepless {
-            self.rest(settings);
+            report.asleep = self.rest(settings);
         }
         report.manifolds = self.contacts.len() as u16;
-        for slot in &self.slots {
-            report.asleep = report.asleep.wrapping_add(u16::from(slot.is_asleep()));
-        }
         report
     }
 
@@ -133,8 +130,8 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
             let (Some(a), Some(b)) = (self.slots.get(usize::from(key.a)), self.slots.get(usize::from(key.b))) else {
                 continue;
             };
-            if a.meets(b) && !a.is_active() && !b.is_active() {
-                let _ = self.contacts.push(Entry::new(*key, Kind::Kept, key.touching));
+            if !(a.is_active() || b.is_active()) && a.meets(b) {
+                let _ = self.contacts.push(Entry::new(*key, Kind::Kept, key.touching, NO_FORMER));
                 key.touching = false;
             }
         }
@@ -201,12 +198,19 @@ fn begin<'a, S: Scalar>(
     step
 }
 
-/// Solves, moves the bodies, and keeps what the next step and the caller want to know of the contacts. Whether a number met the end
-/// of the format. (A step given by value would be copied, in the caller's frame.)
+/// Solves and moves the bodies. Whether a number met the end of the format. (A step given by value would be copied, in the
+/// caller's frame.)
 #[inline(never)]
 fn finish<S: Scalar>(step: &mut Option<Step<'_, S>>, warm: &mut [WarmStart<S>], contacts: &mut [Entry<S>]) -> bool {
     let Some(step) = step.take() else { return false };
     let (mut constraints, solved) = step.finish();
+    keep(&mut constraints, warm, contacts);
+    solved.saturated
+}
+
+/// What the next step and the caller want to know of the contacts.
+#[inline(never)]
+fn keep<S: Scalar>(constraints: &mut Constraints<'_, S>, warm: &mut [WarmStart<S>], contacts: &mut [Entry<S>]) {
     let mut free = keep_impulses(warm, contacts);
     constraints.impulses(|_, impulses| {
         for impulse in impulses {
@@ -224,7 +228,6 @@ fn finish<S: Scalar>(step: &mut Option<Step<'_, S>>, warm: &mut [WarmStart<S>], 
             entry.approach_speed = touch.approach;
         }
     });
-    solved.saturated
 }
 
 /// Impulses of sleeping contacts move to the front: places before their own. The first place that is free.
@@ -252,12 +255,9 @@ fn drive_body<S: Scalar>(body: &mut Body<S>, settings: &Settings<S>) -> bool {
 
 /// Takes the mark of touching from old keys whose pair still touches: those that keep it have ended.
 fn end_others<S: Scalar>(before: &mut [Key], contacts: &[Entry<S>]) {
-    let mut finder = Finder::new();
-    for entry in contacts.iter().filter(|entry| entry.key.touching && entry.touched_before) {
-        if let Some(index) = finder.find(before, entry.key.a, entry.key.b, entry.key.part) {
-            if let Some(key) = before.get_mut(index) {
-                key.touching = false;
-            }
+    for entry in contacts.iter().filter(|entry| entry.key.touching) {
+        if let Some(key) = before.get_mut(usize::from(entry.former)) {
+            key.touching = false;
         }
     }
 }
