@@ -13,9 +13,9 @@ pub trait PairSink {
     /// The boxes with these indices overlap; `a < b`. Each pair comes once.
     fn pair(&mut self, a: u16, b: u16);
 
-    /// Two boxes were compared: what a sweep costs, for those who count it.
+    /// So many boxes were compared: what a sweep costs, for those who count it.
     #[inline(always)]
-    fn compared(&mut self) {}
+    fn compared(&mut self, _count: usize) {}
 }
 
 /// Pairs in the caller's memory; counts those for which there is no room.
@@ -115,32 +115,36 @@ impl<M: AsMut<[u16]>> SweepAndPrune<M> {
     /// Hands over every pair of boxes that overlap, of up to 65,536 boxes; a box without a shape in it overlaps none where its
     /// minimum is above its maximum. No coordinate may be a NaN.
     pub fn sweep<S: Scalar>(&mut self, boxes: &[Aabb<S>], sink: &mut impl PairSink) {
+        let mut place = Place { first: 0, second: 1, compared: self.order(boxes) };
+        while let Some((a, b)) = self.next(boxes, &mut place) {
+            sink.pair(a, b);
+        }
+        sink.compared(place.compared);
+    }
+
+    /// Puts the order right, and returns how many comparisons that took.
+    #[inline(never)]
+    fn order<S: Scalar>(&mut self, boxes: &[Aabb<S>]) -> usize {
         self.resize(boxes.len());
         if self.left == 0 {
             self.axis = widest(boxes, self.axis);
             self.left = SWEEPS;
         }
         self.left = self.left.wrapping_sub(1);
-        let len = self.len as usize;
-        let order = self.order.as_mut().get_mut(..len).unwrap_or_default();
-        match self.axis {
-            Axis::X => sweep_along::<S, 0>(order, boxes, sink),
-            Axis::Y => sweep_along::<S, 1>(order, boxes, sink),
-            Axis::Z => sweep_along::<S, 2>(order, boxes, sink),
-        }
-        // What there is no memory for, with all that come before it.
-        let mut index = len;
-        while let Some(extra) = boxes.get(index) {
-            let mut other = 0;
-            for earlier in boxes.get(..index).unwrap_or(&[]) {
-                sink.compared();
-                if extra.overlaps(earlier) {
-                    sink.pair(other, index as u16);
-                }
-                other = other.wrapping_add(1);
-            }
-            index = index.wrapping_add(1);
-        }
+        let order = self.order.as_mut().get_mut(..self.len as usize).unwrap_or_default();
+        sort(order, boxes, self.axis)
+    }
+
+    /// The next pair, in code that all sinks share.
+    #[inline(never)]
+    fn next<S: Scalar>(&mut self, boxes: &[Aabb<S>], place: &mut Place) -> Option<(u16, u16)> {
+        let order = self.order.as_mut().get(..self.len as usize).unwrap_or_default();
+        let pair = match self.axis {
+            Axis::X => place.next_along::<S, 0>(order, boxes),
+            Axis::Y => place.next_along::<S, 1>(order, boxes),
+            Axis::Z => place.next_along::<S, 2>(order, boxes),
+        };
+        if pair.is_none() { place.next_extra(boxes) } else { pair }
     }
 
     /// Makes the order one of the numbers below `count`, or of as many as there is memory for, and keeps what it can of it.
@@ -195,36 +199,72 @@ fn widest<S: Scalar>(boxes: &[Aabb<S>], present: Axis) -> Axis {
     best
 }
 
-/// The pairs of the boxes in that order along the axis, which is put right first.
-fn sweep_along<S: Scalar, const AXIS: u8>(order: &mut [u16], boxes: &[Aabb<S>], sink: &mut impl PairSink) {
-    sort::<S, AXIS>(order, boxes, sink);
-    let mut rest: &[u16] = order;
-    while let [first, later @ ..] = rest {
-        rest = later;
-        let Some(a) = boxes.get(usize::from(*first)) else { continue };
-        let end = along::<S, AXIS>(&a.max);
-        for second in later {
-            let Some(b) = boxes.get(usize::from(*second)) else { continue };
-            sink.compared();
-            if along::<S, AXIS>(&b.min) > end {
-                break;
+/// How far a sweep has come.
+struct Place {
+    /// The place in the order of the box at hand, and of the one that it is compared with next. Beyond the order the number of
+    /// a box, and of the one before it.
+    first: usize,
+    second: usize,
+    compared: usize,
+}
+
+impl Place {
+    /// The next pair of the boxes in that order along the axis.
+    #[inline(always)]
+    fn next_along<S: Scalar, const AXIS: u8>(&mut self, order: &[u16], boxes: &[Aabb<S>]) -> Option<(u16, u16)> {
+        while let Some(&first) = order.get(self.first) {
+            if let Some(a) = boxes.get(usize::from(first)) {
+                let end = along::<S, AXIS>(&a.max);
+                while let Some(&second) = order.get(self.second) {
+                    self.second = self.second.wrapping_add(1);
+                    let Some(b) = boxes.get(usize::from(second)) else { continue };
+                    self.compared = self.compared.wrapping_add(1);
+                    if along::<S, AXIS>(&b.min) > end {
+                        break;
+                    }
+                    if a.overlaps(b) {
+                        return Some((first.min(second), first.max(second)));
+                    }
+                }
             }
-            if a.overlaps(b) {
-                sink.pair(*first.min(second), *first.max(second));
-            }
+            self.first = self.first.wrapping_add(1);
+            self.second = self.first.wrapping_add(1);
         }
+        None
+    }
+
+    /// What there is no memory for, with all that come before it.
+    #[inline(never)]
+    fn next_extra<S: Scalar>(&mut self, boxes: &[Aabb<S>]) -> Option<(u16, u16)> {
+        if self.second > self.first {
+            self.second = 0;
+        }
+        while let Some(extra) = boxes.get(self.first) {
+            while self.second < self.first {
+                let earlier = self.second;
+                self.second = earlier.wrapping_add(1);
+                self.compared = self.compared.wrapping_add(1);
+                if boxes.get(earlier).is_some_and(|earlier| extra.overlaps(earlier)) {
+                    return Some((earlier as u16, self.first as u16));
+                }
+            }
+            self.first = self.first.wrapping_add(1);
+            self.second = 0;
+        }
+        None
     }
 }
 
 /// Insertion sort by where the boxes begin, and where they begin together by their numbers: one order, wherever it came from.
-fn sort<S: Scalar, const AXIS: u8>(order: &mut [u16], boxes: &[Aabb<S>], sink: &mut impl PairSink) {
-    let begin = |number: u16| boxes.get(usize::from(number)).map_or(S::LARGEST, |of| along::<S, AXIS>(&of.min));
-    let (Some(&first), mut place) = (order.first(), 0usize) else { return };
+/// The number of comparisons.
+fn sort<S: Scalar>(order: &mut [u16], boxes: &[Aabb<S>], axis: Axis) -> usize {
+    let begin = |number: u16| boxes.get(usize::from(number)).map_or(S::LARGEST, |of| axis.of(&of.min));
+    let (Some(&first), mut place, mut compared) = (order.first(), 0usize, 0usize) else { return 0 };
     let mut last = (begin(first), first);
     while let Some(&number) = order.get(place.wrapping_add(1)) {
         place = place.wrapping_add(1);
         let key = (begin(number), number);
-        sink.compared();
+        compared = compared.wrapping_add(1);
         if !is_before(key, last) {
             last = key;
             continue;
@@ -232,7 +272,7 @@ fn sort<S: Scalar, const AXIS: u8>(order: &mut [u16], boxes: &[Aabb<S>], sink: &
         // The boxes that begin later go one place on.
         let mut free = place;
         while let Some([before, after]) = order.get_mut(free.wrapping_sub(1)..=free) {
-            sink.compared();
+            compared = compared.wrapping_add(1);
             if !is_before(key, (begin(*before), *before)) {
                 break;
             }
@@ -243,6 +283,7 @@ fn sort<S: Scalar, const AXIS: u8>(order: &mut [u16], boxes: &[Aabb<S>], sink: &
             }
         }
     }
+    compared
 }
 
 #[inline(always)]

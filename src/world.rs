@@ -29,7 +29,8 @@ use crate::broad_phase::SweepAndPrune;
 use crate::contact::Material;
 use crate::error::{HandleError, InsertError};
 use crate::hash::StateHash;
-use crate::math::{Pose, Vec3};
+use crate::manifold::Manifold;
+use crate::math::{Pose, UnitVec3, Vec3};
 use crate::scalar::Scalar;
 use crate::shape::Shape;
 use crate::solver::{ManifoldConstraint, Motion, PointConstraint, WarmStart};
@@ -84,6 +85,8 @@ pub struct World<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, con
     motions: [Motion<S>; BODIES],
     manifolds: [ManifoldConstraint<S>; MANIFOLDS],
     points: [PointConstraint<S>; POINTS],
+    /// The manifold at hand: here and not on the stack of a step.
+    manifold: Manifold<S>,
     gravity: Vec3<S>,
     sleepless: bool,
 }
@@ -113,6 +116,7 @@ impl<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: u
             motions: [Motion::NEW; BODIES],
             manifolds: [ManifoldConstraint::NEW; MANIFOLDS],
             points: [PointConstraint::NEW; POINTS],
+            manifold: Manifold::empty(UnitVec3::from_unit(Vec3::ZERO)),
             gravity: Vec3::ZERO,
             sleepless: false,
         }

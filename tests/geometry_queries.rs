@@ -308,8 +308,8 @@ impl PairSink for Work {
         self.pairs += 1;
     }
 
-    fn compared(&mut self) {
-        self.compared += 1;
+    fn compared(&mut self, count: usize) {
+        self.compared += count;
     }
 }
 

@@ -14,8 +14,9 @@ mod scene;
 mod stage;
 
 use carom::world::{Filter, Phase};
-use carom::{Body, BodyHandle, HandleError, InsertError, Material, Pose, Ray, UnitVec3, World};
+use carom::{Body, BodyHandle, Collide as _, HandleError, InsertError, Material, Pose, Ray, UnitVec3, World};
 use host::HostScalar;
+use random::Random;
 use scene::{Piece, Shape, floats, number, quat, vector};
 use stage::{G, Stage, settings};
 
@@ -28,6 +29,7 @@ each_number!(
     neighbours_sleep,
     edges_are_no_bed,
     filters_and_sensors,
+    sensors_notice_what_overlaps,
     driven,
     copies,
     questions,
@@ -233,6 +235,36 @@ fn filters_and_sensors<S: HostScalar>(name: &str) {
     assert!(inside > 4, "{name}");
     assert!((stage.position(ball)[1] - 0.1).abs() < 0.01, "{name}: the ball lies on the ground");
     assert!(stage.position(ghost)[1] < -1.0, "{name}: the ground lets the ghost through");
+}
+
+/// What a sensor notices is what is no farther than nothing, by the exact distance: of balls and boxes in any place and turn.
+fn sensors_notice_what_overlaps<S: HostScalar>(name: &str) {
+    let mut random = Random::new(17);
+    let (mut noticed, mut apart) = (0, 0);
+    for _ in 0..400 {
+        let mut stage = Stage::<S>::weightless(0.5, 0.0);
+        let mut place = |stage: &mut Stage<S>, reach: f64| {
+            let size = [0; 3].map(|_| random.between(0.1, 0.5));
+            let shape = if random.one_in(3) { Shape::Sphere(size[0]) } else { Shape::Cuboid(size) };
+            let mut body = Body::dynamic(scene::solid(1.0, shape));
+            body.position = vector([0; 3].map(|_| random.between(-reach, reach)));
+            body.set_orientation(quat([0; 4].map(|_| random.between(-1.0, 1.0))));
+            let pose = Pose::new(body.position, body.orientation());
+            (stage.insert(body, shape), shape.build::<S>(), pose)
+        };
+        let (gate, a, pose_a) = place(&mut stage, 0.0);
+        let (_, b, pose_b) = place(&mut stage, 0.6);
+        stage.world.set_sensor(gate, true).expect("a body");
+        stage.step();
+        let seen = stage.world.contacts().any(|contact| contact.sensor);
+        let distance = a.closest(&pose_a, &b, &pose_b).expect("a distance").separation.to_f64();
+        assert!(
+            seen == (distance <= 0.0) || distance.abs() < 1e-4,
+            "{name}: {a:?} {pose_a:?} {b:?} {pose_b:?}: {distance}"
+        );
+        *if seen { &mut noticed } else { &mut apart } += 1;
+    }
+    assert!(noticed > 100 && apart > 100, "{name}: {noticed} noticed, {apart} apart");
 }
 
 /// A conveyor and a lift: bodies that only their own velocity moves.

@@ -46,21 +46,43 @@ impl<S: Scalar, const N: usize> Polygon<S, N> {
         if self.corners().iter().all(|corner| inside.of(corner.place) >= outermost) {
             return;
         }
-        let whole = *self;
-        let Some(mut before) = whole.corners().last() else { return };
+        // What is left is written from the front, and what there was is read from the end of the memory: no second polygon.
+        let mut next = self.move_to_end();
+        let Some(&(mut before)) = self.corners.last() else { return };
         let mut before_in = inside.of(before.place);
         self.len = 0;
-        for corner in whole.corners() {
+        while let Some(&corner) = self.corners.get(next) {
+            next = next.wrapping_add(1);
             let corner_in = inside.of(corner.place);
             match (before_in >= S::ZERO, corner_in >= S::ZERO) {
-                (true, false) => self.push(between(before, corner, before_in, corner_in), side),
-                (false, true) => self.push(between(before, corner, before_in, corner_in), before.edge),
+                (true, false) => self.push_below(next, between(&before, &corner, before_in, corner_in), side),
+                (false, true) => self.push_below(next, between(&before, &corner, before_in, corner_in), before.edge),
                 _ => {}
             }
             if corner_in >= S::ZERO {
-                self.push(corner.place, corner.edge);
+                self.push_below(next, corner.place, corner.edge);
             }
             (before, before_in) = (corner, corner_in);
+        }
+    }
+
+    /// Moves the corners to the end of the memory, and returns where they begin.
+    fn move_to_end(&mut self) -> usize {
+        let (mut from, mut to) = (usize::from(self.len), N);
+        while let Some(&corner) = self.corners.get(from.wrapping_sub(1)) {
+            (from, to) = (from.wrapping_sub(1), to.wrapping_sub(1));
+            if let Some(place) = self.corners.get_mut(to) {
+                *place = corner;
+            }
+        }
+        to
+    }
+
+    /// Adds a corner where none is that has yet to be read: the more there were, the fewer a convex polygon leaves room to add.
+    #[inline(always)]
+    fn push_below(&mut self, next: usize, place: Vec3<S>, edge: u16) {
+        if usize::from(self.len) < next {
+            self.push(place, edge);
         }
     }
 }

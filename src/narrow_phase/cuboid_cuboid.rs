@@ -1,7 +1,7 @@
 //! Two boxes: the axis that separates them best (15 of them, Gottschalk and others, 1996), then the part of one face over the
 //! other, or the point where two edges cross.
 
-use super::clip::{Inside, Polygon};
+use super::clip::{Corner, Inside, Polygon};
 use super::segment::Segment;
 use super::{Placed, closest_in_order, cycled, manifold_in_order, point, uncycled};
 use crate::manifold::Manifold;
@@ -31,10 +31,19 @@ struct Relative<S: Scalar> {
 }
 
 impl<S: Scalar> Relative<S> {
+    #[inline(never)]
     fn new(a: &Pose<S>, b: &Pose<S>) -> Self {
         let d = b.position - a.position;
         let rotation = a.rotation.transposed().times_mat3(&b.rotation);
         Self { rotation, in_a: a.unrotate(d), in_b: b.unrotate(d), d }
+    }
+
+    /// A seen from B and B from A.
+    #[inline(always)]
+    fn turn_round(&mut self) {
+        self.rotation = self.rotation.transposed();
+        (self.in_a, self.in_b) = (-self.in_b, -self.in_a);
+        self.d = -self.d;
     }
 }
 
@@ -48,6 +57,7 @@ enum Axis<S: Scalar> {
 }
 
 /// The axis along which the boxes are farthest apart, and how far. `None` where that is more than `margin`.
+#[inline(never)]
 fn separating_axis<S: Scalar>(
     [a, b]: [Vec3<S>; 2],
     relative: &Relative<S>,
@@ -176,42 +186,30 @@ fn ordered<S: Scalar>(
     margin: S,
     out: &mut Manifold<S>,
 ) {
-    let relative = Relative::new(pose_a, pose_b);
+    let mut relative = Relative::new(pose_a, pose_b);
     let steady = min(a.inner_radius(), b.inner_radius()).lowered_by(STEADY);
     let half = [a.half_extents(), b.half_extents()];
     let Some((kind, separation)) = separating_axis(half, &relative, steady, margin) else { return };
-    let (half, axis, of_b) = match kind {
-        Axis::FaceOfA(axis) => (half, axis, false),
-        Axis::FaceOfB(axis) => ([half[1], half[0]], axis, true),
-        Axis::Edges(i, j, across) => return crossing(half, pose_a, &relative, (i, j, across, separation), out),
-    };
-    let faces = if of_b {
-        Faces {
-            half,
-            rotation: relative.rotation.transposed(),
-            way: -relative.in_b,
-            d: -relative.d,
-            axis,
-            name: 1 << 12,
+    match kind {
+        Axis::FaceOfA(axis) => {
+            Faces { half, relative: &relative, axis, name: 0 }.manifold(pose_a, steady, margin, out);
         }
-    } else {
-        Faces { half, rotation: relative.rotation, way: relative.in_a, d: relative.d, axis, name: 0 }
-    };
-    faces.manifold(if of_b { pose_b } else { pose_a }, steady, margin, out);
-    if of_b {
-        out.swap();
+        Axis::FaceOfB(axis) => {
+            relative.turn_round();
+            let half = [half[1], half[0]];
+            Faces { half, relative: &relative, axis, name: 1 << 12 }.manifold(pose_b, steady, margin, out);
+            out.swap();
+        }
+        Axis::Edges(i, j, across) => crossing(half, pose_a, &relative, (i, j, across, separation), out),
     }
 }
 
 /// A face of one box, and the face of the other that looks at it.
-struct Faces<S: Scalar> {
+struct Faces<'a, S: Scalar> {
     /// Of the box with the face, and of the other.
     half: [Vec3<S>; 2],
-    /// The rows are the axes of the first in the frame of the other.
-    rotation: Mat3<S::Unit>,
-    /// From the first to the other, in the first's frame and in the world's axes.
-    way: Vec3<S>,
-    d: Vec3<S>,
+    /// The other seen from the first.
+    relative: &'a Relative<S>,
     /// Of the face.
     axis: u8,
     /// Of which box it is.
@@ -233,37 +231,53 @@ impl<S: Scalar> Inside<S> for Side<S> {
     }
 }
 
-impl<S: Scalar> Faces<S> {
+impl<S: Scalar> Faces<'_, S> {
     /// `pose` is the first box's.
     #[inline(never)]
     fn manifold(&self, pose: &Pose<S>, steady: S, margin: S, out: &mut Manifold<S>) {
         let half = cycled(self.half[0], self.axis);
-        let way = cycled(self.way, self.axis);
+        let way = cycled(self.relative.in_a, self.axis);
         let below = way.x < S::ZERO;
-        let (mut polygon, incident) = self.incident(way, half.x, below);
+        let mut polygon = Polygon::EMPTY;
+        let incident = self.incident(way, half.x, below, &mut polygon);
         clip(&mut polygon, half, steady);
         polygon.name(LABEL_BITS, margin);
-        let mut chosen = polygon.four(steady);
-        // In the world's axes: the normal, and the plane's axes.
+        let chosen = polygon.four(steady);
+        let name = self.name | u16::from(self.axis) << 10 | u16::from(below) << 9 | incident << 6;
+        self.put(pose, below, polygon.corners(), (chosen, name), out);
+    }
+
+    /// The chosen corners as points, in the world's axes.
+    #[inline(never)]
+    fn put(
+        &self,
+        pose: &Pose<S>,
+        below: bool,
+        corners: &[Corner<S>],
+        (mut chosen, name): (u32, u16),
+        out: &mut Manifold<S>,
+    ) {
+        let half = cycled(self.half[0], self.axis).x;
+        // The normal, and the plane's axes.
         let [x, y, z] = turned(pose.rotation.columns(), self.axis);
         let normal = if below { S::opposite(&x) } else { x };
         out.begin(normal);
-        let name = self.name | u16::from(self.axis) << 10 | u16::from(below) << 9 | incident << 6;
-        for corner in polygon.corners() {
+        let axes = Mat3 { rows: [normal, y, z] }.columns();
+        for corner in corners {
             if chosen & 1 == 1 {
                 let Vec3 { x: u, y: v, z: separation } = corner.place;
-                let along = half.x.plus(separation.lowered_by(1));
-                let r = Vec3::new(along, u, v).through(Mat3 { rows: [normal, y, z] }.columns());
-                out.push(point(r, self.d, separation, name | corner.edge));
+                let r = Vec3::new(half.plus(separation.lowered_by(1)), u, v).through(axes);
+                out.push(point(r, self.relative.d, separation, name | corner.edge));
             }
             chosen >>= 1;
         }
     }
 
-    /// The other's face that looks at this one, its corners by their places in this one's plane and heights above it; and its
-    /// name in three bits. `way` is to the other box, with the component along the axis of the face first.
-    fn incident(&self, way: Vec3<S>, half: S, below: bool) -> (Polygon<S, 8>, u16) {
-        let [x, y, z] = turned(self.rotation.rows, self.axis);
+    /// The other's face that looks at this one, its corners by their places in this one's plane and heights above it; its name in
+    /// three bits. `way` is to the other box, with the component along the axis of the face first.
+    #[inline(never)]
+    fn incident(&self, way: Vec3<S>, half: S, below: bool, polygon: &mut Polygon<S, 8>) -> u16 {
+        let [x, y, z] = turned(self.relative.rotation.rows, self.axis);
         let (other, _) = largest(x.magnitudes());
         let [x, y, z] = [cycled(x, other), cycled(y, other), cycled(z, other)];
         let h = cycled(self.half[1], other);
@@ -277,12 +291,11 @@ impl<S: Scalar> Faces<S> {
         };
         let middle = Vec3::new(way.y, way.z, abs(way.x).minus(half)) + edge(depth, x.x, y.x, z.x);
         let (e, f) = (edge(h.y, x.y, y.y, z.y), edge(h.z, x.z, y.z, z.z));
-        let mut polygon = Polygon::EMPTY;
         polygon.push(middle + e + f, 0);
         polygon.push(middle - e + f, 1);
         polygon.push(middle - e - f, 2);
         polygon.push(middle + e - f, 3);
-        (polygon, u16::from(other) << 1 | u16::from(towards))
+        u16::from(other) << 1 | u16::from(towards)
     }
 }
 
@@ -327,6 +340,7 @@ fn crossing_edges<S: Scalar>(
     ([of_a, of_b], 1 << 15 | u16::from(i) << 6 | u16::from(j) << 4 | name_a << 2 | name_b)
 }
 
+#[inline(never)]
 fn crossing<S: Scalar>(
     half: [Vec3<S>; 2],
     pose_a: &Pose<S>,

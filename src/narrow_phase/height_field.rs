@@ -89,15 +89,24 @@ struct Touch<S: Scalar> {
     feature: u16,
 }
 
+impl<S: Scalar> Touch<S> {
+    const NONE: Self = Self {
+        normal: Vec3::new(S::Unit::ZERO, S::Unit::ZERO, S::Unit::ZERO),
+        middle: Vec3::ZERO,
+        separation: S::ZERO,
+        feature: 0,
+    };
+}
+
 /// What takes the points.
 trait Gather<S: Scalar> {
-    fn add(&mut self, touch: Touch<S>);
+    fn add(&mut self, touch: &Touch<S>);
 }
 
 impl<S: Scalar> Gather<S> for Option<Touch<S>> {
-    fn add(&mut self, touch: Touch<S>) {
+    fn add(&mut self, touch: &Touch<S>) {
         if self.is_none_or(|best| touch.separation < best.separation) {
-            *self = Some(touch);
+            *self = Some(*touch);
         }
     }
 }
@@ -148,6 +157,7 @@ impl<'a, S: Scalar, T: OverSurface<S>> Over<'a, S, T> {
         }
     }
 
+    #[inline(never)]
     fn on_point(&self, triangle: &Triangle<S>, point: Vec3<S>, index: u8, gather: &mut impl Gather<S>) {
         let height = triangle.height(point);
         let separation = height.minus(self.shape.radius());
@@ -157,11 +167,12 @@ impl<'a, S: Scalar, T: OverSurface<S>> Over<'a, S, T> {
         let foot = point - Vec3::of_length(height, triangle.normal);
         if triangle.is_below(foot) {
             let middle = foot + Vec3::of_length(separation.lowered_by(1), triangle.normal);
-            gather.add(Touch { normal: triangle.normal, middle, separation, feature: u16::from(index) });
+            gather.add(&Touch { normal: triangle.normal, middle, separation, feature: u16::from(index) });
         }
     }
 
     /// The edge pushes if it is a ridge or the field ends there; of the two triangles at a ridge, the first one asks.
+    #[inline(never)]
     fn on_side(&self, triangle: &Triangle<S>, side: &Side<S>, number: u16, gather: &mut impl Gather<S>) {
         let [from, to] = side.ends;
         let (column, row, above) = side.next;
@@ -202,7 +213,7 @@ impl<'a, S: Scalar, T: OverSurface<S>> Over<'a, S, T> {
             let separation = height.minus(self.shape.radius());
             if separation <= self.margin {
                 let middle = self.pose.to_world(place) + Vec3::of_length(separation.lowered_by(1), normal);
-                gather.add(Touch { normal, middle, separation, feature });
+                gather.add(&Touch { normal, middle, separation, feature });
             }
             feature = feature.wrapping_add(16);
         }

@@ -64,6 +64,7 @@ enum Axis<S: Scalar> {
 }
 
 /// The axis along which the polytopes are farthest apart, and how far. `None` where that is more than `margin`.
+#[inline(never)]
 fn separating_axis<S: Scalar>(
     a: &impl Polytope<S>,
     b: &impl Polytope<S>,

@@ -60,13 +60,18 @@ pub(super) struct Entry<S: Scalar> {
     pub key: Key,
     pub kind: Kind,
     pub touched_before: bool,
+    /// Its place in the table of the step before, or `NO_FORMER`.
+    pub former: u16,
     pub normal_impulse: S::Scaled,
     pub approach_speed: S,
 }
 
+/// A place that there is not: a table has 65,535 at most.
+pub(super) const NO_FORMER: u16 = u16::MAX;
+
 impl<S: Scalar> Entry<S> {
-    pub const fn new(key: Key, kind: Kind, touched_before: bool) -> Self {
-        Self { key, kind, touched_before, normal_impulse: S::Scaled::ZERO, approach_speed: S::ZERO }
+    pub const fn new(key: Key, kind: Kind, touched_before: bool, former: u16) -> Self {
+        Self { key, kind, touched_before, former, normal_impulse: S::Scaled::ZERO, approach_speed: S::ZERO }
     }
 }
 
@@ -102,7 +107,7 @@ pub struct Touching<S: Scalar> {
 /// Looks for keys in the table of the step before, in whose order most of them come.
 #[derive(Debug)]
 pub(super) struct Finder {
-    /// Where the last one was.
+    /// After where the last one was.
     next: usize,
 }
 
@@ -111,16 +116,17 @@ impl Finder {
         Self { next: 0 }
     }
 
-    /// Its place in the table. At most as many comparisons as there are keys; mostly two.
-    pub fn find(&mut self, before: &[Key], a: u16, b: u16, part: u32) -> Option<usize> {
+    /// Its place in the table, and the key. At most as many comparisons as there are keys; mostly one.
+    pub fn find<'k>(&mut self, before: &'k [Key], a: u16, b: u16, part: u32) -> Option<(usize, &'k Key)> {
         let mut index = self.next;
         for _ in 0..before.len() {
             if index >= before.len() {
                 index = 0;
             }
-            if before.get(index)?.is_of(a, b, part) {
-                self.next = index;
-                return Some(index);
+            let key = before.get(index)?;
+            if key.is_of(a, b, part) {
+                self.next = index.wrapping_add(1);
+                return Some((index, key));
             }
             index = index.wrapping_add(1);
         }

@@ -21,22 +21,21 @@ const PART: u32 = 10;
 impl<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: usize>
     World<S, Sh, BODIES, MANIFOLDS, POINTS>
 {
-    /// Puts to sleep what has been still for long enough.
-    pub(super) fn rest(&mut self, settings: &Settings<S>) {
-        if self.sleepless {
-            return;
-        }
+    /// Puts to sleep what has been still for long enough, and returns how many bodies sleep.
+    #[inline(never)]
+    pub(super) fn rest(&mut self, settings: &Settings<S>) -> u16 {
         self.keep_carried_awake();
         let enough = settings.half_second;
-        let mut any = false;
+        let (mut any, mut asleep) = (false, 0u16);
         for (slot, body) in self.slots.iter_mut().zip(&self.bodies) {
             if slot.is_awake() {
                 count(slot, body, enough);
                 any |= slot.still >= enough;
             }
+            asleep = asleep.wrapping_add(u16::from(slot.is_asleep()));
         }
         if !any {
-            return;
+            return asleep;
         }
         self.join();
         // An island is as restless as its most restless body: its first one takes the least of them.
@@ -54,8 +53,10 @@ impl<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: u
             let together = self.slots.get(usize::from(slot.island)).map_or(0, |first| first.still_together);
             if slot.is_awake() && together >= enough {
                 self.lull(index);
+                asleep = asleep.wrapping_add(1);
             }
         }
+        asleep
     }
 
     /// What lies on a driven body goes along with it, however slowly.

@@ -2,7 +2,7 @@
 
 use heapless::Vec;
 
-use super::contacts::{Entry, Finder, Key, Kind};
+use super::contacts::{Entry, Finder, Key, Kind, NO_FORMER};
 use super::slot::Slot;
 use super::way::{Found, LOOKS, Way};
 use crate::broad_phase::PairSink;
@@ -24,7 +24,7 @@ pub(super) fn near<S: Scalar>(size: S) -> S {
 
 /// Takes pairs of boxes, and adds what their shapes come to.
 pub(super) struct Meeting<'w, 's, S: Scalar, Sh, const MANIFOLDS: usize> {
-    pub step: Step<'s, S>,
+    pub step: &'w mut Step<'s, S>,
     pub slots: &'w mut [Slot<S>],
     pub shapes: &'w [Sh],
     pub materials: &'w [Material<S>],
@@ -43,7 +43,10 @@ pub(super) struct Meeting<'w, 's, S: Scalar, Sh, const MANIFOLDS: usize> {
     /// The pair at hand, and what is made of it.
     pub pair: [u16; 2],
     pub material: Material<S>,
-    pub manifold: Manifold<S>,
+    pub manifold: &'w mut Manifold<S>,
+    /// One of the two is a sensor, and what it overlaps.
+    pub senses: bool,
+    pub sensed: bool,
     /// Of a fast pair.
     pub way: Option<Way<S>>,
 }
@@ -63,22 +66,33 @@ impl<'w, S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> Meeting<'w, '_, 
             return None;
         }
         self.pair = [a, b];
-        if slot_a.sensor || slot_b.sensor {
-            if !self.scouting && shape_a.overlaps(poses[0], shape_b, poses[1]) {
-                let former = self.former(0);
-                self.enter(0, 0, Kind::Sensed, former);
-            }
-            return None;
+        self.senses = slot_a.sensor || slot_b.sensor;
+        let size = min(slot_a.size, slot_b.size);
+        if self.senses {
+            return self.sense([shape_a, shape_b], poses, size);
         }
         if !(slot_a.is_awake() || slot_b.is_awake()) {
             return None;
         }
-        let size = min(slot_a.size, slot_b.size);
         if reach > S::ZERO {
             return self.meet_ahead([shape_a, shape_b], poses, size, reach);
         }
         self.material = mixed(self.materials.get(i)?, self.materials.get(j)?);
         shape_a.collide(poses[0], shape_b, poses[1], near(size), self);
+        None
+    }
+
+    /// The same for a pair of which one is a sensor.
+    #[inline(never)]
+    fn sense(&mut self, [shape_a, shape_b]: [&Sh; 2], poses: [&Pose<S>; 2], size: S) -> Option<()> {
+        self.sensed = false;
+        if !self.scouting {
+            shape_a.collide(poses[0], shape_b, poses[1], near(size), self);
+        }
+        if self.sensed {
+            let former = self.former(0);
+            self.enter(0, 0, Kind::Sensed, former);
+        }
         None
     }
 
@@ -127,17 +141,20 @@ impl<'w, S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> Meeting<'w, '_, 
     }
 
     /// The pair in the step before.
-    fn former(&mut self, part: u32) -> Option<&'w Key> {
+    fn former(&mut self, part: u32) -> Option<(usize, &'w Key)> {
         let [a, b] = self.pair;
-        self.finder.find(self.before, a, b, part).and_then(|index| self.before.get(index))
+        self.finder.find(self.before, a, b, part)
     }
 
     /// Puts the pair into the table.
-    fn enter(&mut self, part: u32, points: u8, kind: Kind, former: Option<&Key>) {
+    fn enter(&mut self, part: u32, points: u8, kind: Kind, former: Option<(usize, &Key)>) {
         let [a, b] = self.pair;
-        let touched_before = former.is_some_and(|key| key.touching);
+        let (touched_before, former) = match former {
+            Some((index, former)) => (former.touching, index as u16),
+            None => (false, NO_FORMER),
+        };
         let key = Key { a, b, part, first: self.points as u16, points, touching: kind == Kind::Sensed };
-        if self.contacts.push(Entry::new(key, kind, touched_before)).is_err() {
+        if self.contacts.push(Entry::new(key, kind, touched_before, former)).is_err() {
             self.dropped = self.dropped.saturating_add(1);
         }
         self.points = self.points.wrapping_add(usize::from(points));
@@ -152,20 +169,26 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> PairSink for Meeting
 }
 
 impl<S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> ManifoldSink<S> for Meeting<'_, '_, S, Sh, MANIFOLDS> {
+    #[inline(always)]
     fn place(&mut self) -> &mut Manifold<S> {
-        &mut self.manifold
+        self.manifold
     }
 
+    #[inline(never)]
     fn take(&mut self, part: u32) {
-        if self.way.as_mut().is_some_and(|way| !way.take(&mut self.manifold)) {
+        if self.senses {
+            self.sensed |= self.manifold.points().iter().any(|point| point.separation <= S::ZERO);
+            return;
+        }
+        if self.way.as_mut().is_some_and(|way| !way.take(self.manifold)) {
             return;
         }
         let former = self.former(part);
-        let warm = former.and_then(|key| {
+        let warm = former.and_then(|(_, key)| {
             let first = usize::from(key.first);
             self.warm.get(first..first.saturating_add(usize::from(key.points)))
         });
-        if self.contacts.is_full() || !self.step.add(self.pair, &self.manifold, &self.material, warm.unwrap_or(&[])) {
+        if self.contacts.is_full() || !self.step.add(self.pair, self.manifold, &self.material, warm.unwrap_or(&[])) {
             self.dropped = self.dropped.saturating_add(1);
             return;
         }
@@ -174,6 +197,7 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> ManifoldSink<S> for 
 }
 
 /// What two surfaces come to: the geometric means of their coefficients.
+#[inline(always)]
 fn mixed<S: Scalar>(a: &Material<S>, b: &Material<S>) -> Material<S> {
     let mix = |a, b| if a == b { a } else { mean(a, b) };
     let law = if a.law == RestitutionLaw::EnergySafe { a.law } else { b.law };

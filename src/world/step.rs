@@ -1,6 +1,6 @@
 //! A step of the world, stage after stage.
 
-use super::contacts::{Entry, Finder, Key, Kind};
+use super::contacts::{Entry, Finder, Key, Kind, NO_FORMER};
 use super::meet::{Meeting, near};
 use super::slot::{Slot, State};
 use super::wake::wake_island;
@@ -9,11 +9,10 @@ use crate::aabb::Aabb;
 use crate::body::Body;
 use crate::broad_phase::PairSink;
 use crate::contact::Material;
-use crate::manifold::Manifold;
-use crate::math::{Pose, UnitVec3, Vec3, min};
+use crate::math::{Pose, Vec3, min};
 use crate::scalar::Scalar;
 use crate::shape::{Collide, Shape};
-use crate::solver::{Buffers, Settings, Step, drive};
+use crate::solver::{Buffers, Constraints, Settings, Step, WarmStart, drive};
 
 /// What a step has to say.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -45,19 +44,26 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
             self.wake_all();
         }
         let mut report = WorldReport::default();
-        self.look(&mut report);
-        self.place(settings.dt);
-        self.rouse();
-        self.note_before();
-        self.keep_sleeping();
+        self.prepare(settings.dt, &mut report);
         self.solve(settings, &mut report);
         self.drive(settings, &mut report);
-        self.rest(settings);
-        report.manifolds = self.contacts.len() as u16;
-        for slot in &self.slots {
-            report.asleep = report.asleep.wrapping_add(u16::from(slot.is_asleep()));
+        if !self.sleepless {
+            report.asleep = self.rest(settings);
         }
+        report.manifolds = self.contacts.len() as u16;
         report
+    }
+
+    /// What comes before the solver, in a frame of its own.
+    #[inline(never)]
+    fn prepare(&mut self, dt: S::Unit, report: &mut WorldReport) {
+        self.look(report);
+        self.place(dt);
+        if self.slots.iter().any(Slot::is_asleep) {
+            self.rouse();
+        }
+        self.note_before();
+        self.keep_sleeping();
     }
 
     /// What each body does in this step.
@@ -96,10 +102,8 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
     }
 
     /// Wakes what sleeps near something that moves.
+    #[inline(never)]
     fn rouse(&mut self) {
-        if !self.slots.iter().any(Slot::is_asleep) {
-            return;
-        }
         // A pass wakes an island at least.
         loop {
             let mut alarm = Alarm { slots: &mut self.slots, rang: false };
@@ -126,8 +130,8 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
             let (Some(a), Some(b)) = (self.slots.get(usize::from(key.a)), self.slots.get(usize::from(key.b))) else {
                 continue;
             };
-            if a.meets(b) && !a.is_active() && !b.is_active() {
-                let _ = self.contacts.push(Entry::new(*key, Kind::Kept, key.touching));
+            if !(a.is_active() || b.is_active()) && a.meets(b) {
+                let _ = self.contacts.push(Entry::new(*key, Kind::Kept, key.touching, NO_FORMER));
                 key.touching = false;
             }
         }
@@ -136,23 +140,21 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
     fn drive(&mut self, settings: &Settings<S>, report: &mut WorldReport) {
         for (slot, body) in self.slots.iter().zip(&mut self.bodies) {
             if slot.is_driven() {
-                report.saturated |= drive(body, settings);
+                report.saturated |= drive_body(body, settings);
             }
         }
     }
 
+    /// Contacts and motion. Its parts have frames of their own: the stack is as deep as the deepest of them, not as their sum.
+    #[inline(never)]
     fn solve(&mut self, settings: &Settings<S>, report: &mut WorldReport) {
-        let buffers = Buffers { motions: &mut self.motions, manifolds: &mut self.manifolds, points: &mut self.points };
-        let mut step = Step::begin(&mut self.bodies, buffers, settings);
-        for (slot, index) in self.slots.iter().zip(PLACES) {
-            if matches!(slot.state, State::Asleep | State::Quarantined | State::Vacant) {
-                step.hold(usize::from(index));
-            }
-        }
         let mut kept = 0usize;
         for entry in &self.contacts {
             kept = kept.wrapping_add(usize::from(entry.key.points));
         }
+        let buffers = Buffers { motions: &mut self.motions, manifolds: &mut self.manifolds, points: &mut self.points };
+        let mut made = Some(begin(&mut self.bodies, buffers, settings, &self.slots));
+        let Some(step) = &mut made else { return };
         let mut meeting = Meeting {
             step,
             slots: &mut self.slots,
@@ -169,7 +171,9 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
             dropped: 0,
             pair: [0; 2],
             material: Material::DEAD,
-            manifold: Manifold::empty(UnitVec3::Z),
+            manifold: &mut self.manifold,
+            senses: false,
+            sensed: false,
             way: None,
         };
         if meeting.slots.iter().any(|slot| slot.reach > S::ZERO) {
@@ -180,56 +184,94 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
         self.sweep.sweep(&self.boxes, &mut meeting);
         report.dropped = meeting.dropped;
         report.points = meeting.points.wrapping_sub(kept) as u16;
-        let (mut constraints, solved) = meeting.step.finish();
-        report.saturated = solved.saturated;
-
-        // Impulses of sleeping contacts move to the front: places before their own.
-        let mut free = 0;
-        for entry in self.contacts.iter_mut().take_while(|entry| entry.kind == Kind::Kept) {
-            let first = usize::from(entry.key.first);
-            entry.key.first = free as u16;
-            for offset in 0..usize::from(entry.key.points) {
-                let Some(&warm) = self.warm.get(first.wrapping_add(offset)) else { continue };
-                if let Some(place) = self.warm.get_mut(free) {
-                    *place = warm;
-                }
-                free = free.wrapping_add(1);
-            }
-        }
-        let warm = &mut self.warm;
-        constraints.impulses(|_, impulses| {
-            for impulse in impulses {
-                if let Some(place) = warm.get_mut(free) {
-                    *place = *impulse;
-                }
-                free = free.wrapping_add(1);
-            }
-        });
-        let mut solved = self.contacts.iter_mut().filter(|entry| entry.kind == Kind::Solved);
-        constraints.touches(|_, touch| {
-            if let Some(entry) = solved.next() {
-                entry.key.touching = touch.pushed;
-                entry.normal_impulse = touch.impulse;
-                entry.approach_speed = touch.approach;
-            }
-        });
+        report.saturated = finish(&mut made, &mut self.warm, &mut self.contacts);
         end_others(&mut self.before, &self.contacts);
     }
 }
 
+/// Reads the velocities; what sleeps stays as it is.
+#[inline(never)]
+fn begin<'a, S: Scalar>(
+    bodies: &'a mut [Body<S>],
+    buffers: Buffers<'a, S>,
+    settings: &Settings<S>,
+    slots: &[Slot<S>],
+) -> Step<'a, S> {
+    let mut step = Step::begin(bodies, buffers, settings);
+    for (slot, index) in slots.iter().zip(PLACES) {
+        if matches!(slot.state, State::Asleep | State::Quarantined | State::Vacant) {
+            step.hold(usize::from(index));
+        }
+    }
+    step
+}
+
+/// Solves and moves the bodies. Whether a number met the end of the format. (A step given by value would be copied, in the
+/// caller's frame.)
+#[inline(never)]
+fn finish<S: Scalar>(step: &mut Option<Step<'_, S>>, warm: &mut [WarmStart<S>], contacts: &mut [Entry<S>]) -> bool {
+    let Some(step) = step.take() else { return false };
+    let (mut constraints, solved) = step.finish();
+    keep(&mut constraints, warm, contacts);
+    solved.saturated
+}
+
+/// What the next step and the caller want to know of the contacts.
+#[inline(never)]
+fn keep<S: Scalar>(constraints: &mut Constraints<'_, S>, warm: &mut [WarmStart<S>], contacts: &mut [Entry<S>]) {
+    let mut free = keep_impulses(warm, contacts);
+    constraints.impulses(|_, impulses| {
+        for impulse in impulses {
+            if let Some(place) = warm.get_mut(free) {
+                *place = *impulse;
+            }
+            free = free.wrapping_add(1);
+        }
+    });
+    let mut entries = contacts.iter_mut().filter(|entry| entry.kind == Kind::Solved);
+    constraints.touches(|_, touch| {
+        if let Some(entry) = entries.next() {
+            entry.key.touching = touch.pushed;
+            entry.normal_impulse = touch.impulse;
+            entry.approach_speed = touch.approach;
+        }
+    });
+}
+
+/// Impulses of sleeping contacts move to the front: places before their own. The first place that is free.
+fn keep_impulses<S: Scalar>(warm: &mut [WarmStart<S>], contacts: &mut [Entry<S>]) -> usize {
+    let mut free = 0usize;
+    for entry in contacts.iter_mut().take_while(|entry| entry.kind == Kind::Kept) {
+        let first = usize::from(entry.key.first);
+        entry.key.first = free as u16;
+        for offset in 0..usize::from(entry.key.points) {
+            let Some(&kept) = warm.get(first.wrapping_add(offset)) else { continue };
+            if let Some(place) = warm.get_mut(free) {
+                *place = kept;
+            }
+            free = free.wrapping_add(1);
+        }
+    }
+    free
+}
+
+/// Few bodies are driven: not in the frame of the step.
+#[inline(never)]
+fn drive_body<S: Scalar>(body: &mut Body<S>, settings: &Settings<S>) -> bool {
+    drive(body, settings)
+}
+
 /// Takes the mark of touching from old keys whose pair still touches: those that keep it have ended.
 fn end_others<S: Scalar>(before: &mut [Key], contacts: &[Entry<S>]) {
-    let mut finder = Finder::new();
-    for entry in contacts.iter().filter(|entry| entry.key.touching && entry.touched_before) {
-        if let Some(index) = finder.find(before, entry.key.a, entry.key.b, entry.key.part) {
-            if let Some(key) = before.get_mut(index) {
-                key.touching = false;
-            }
+    for entry in contacts.iter().filter(|entry| entry.key.touching) {
+        if let Some(key) = before.get_mut(usize::from(entry.former)) {
+            key.touching = false;
         }
     }
 }
 
 /// Where a body's shape is, and what it may reach in the step.
+#[inline(never)]
 fn place_body<S: Scalar, Sh: Shape<S>>(
     slot: &mut Slot<S>,
     body: &Body<S>,
@@ -238,14 +280,17 @@ fn place_body<S: Scalar, Sh: Shape<S>>(
     pose: &mut Pose<S>,
     bounds: &mut Aabb<S>,
 ) {
-    *pose = Pose::new(body.position, body.orientation());
+    pose.position = body.position;
+    pose.rotation = body.orientation().to_mat3();
     let tight = shape.aabb(pose);
     (slot.reach, slot.swing, slot.aside) = (S::ZERO, S::ZERO, S::Unit::ONE);
     if slot.is_active() {
-        let outer = shape.outer_radius();
-        let turned = body.angular_velocity.taxicab().times_unit(dt).times(outer);
-        // No turn brings the surface farther out than the ball around the shape.
-        let swing = min(turned, outer.minus(slot.size));
+        // No turn brings the surface farther out than the ball around the shape: that of a ball nowhere.
+        let (outer, most) = (shape.outer_radius(), shape.outer_radius().minus(slot.size));
+        let mut swing = S::ZERO;
+        if most != S::ZERO {
+            swing = min(body.angular_velocity.taxicab().times_unit(dt).times(outer), most);
+        }
         let way = body.linear_velocity.taxicab().times_unit(dt).plus(swing);
         // Slower ones may sink in by as much, and are pushed out.
         if way > slot.size {

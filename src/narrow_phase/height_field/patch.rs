@@ -17,14 +17,21 @@ const SAME_WAY: u32 = 8;
 
 #[derive(Clone, Copy)]
 struct Patch<S: Scalar> {
-    points: [Option<Touch<S>>; POINTS],
+    points: [Touch<S>; POINTS],
+    len: usize,
 }
 
 impl<S: Scalar> Patch<S> {
-    const EMPTY: Self = Self { points: [None; POINTS] };
+    const EMPTY: Self = Self { points: [Touch::NONE; POINTS], len: 0 };
 
+    #[inline(always)]
+    fn points(&self) -> &[Touch<S>] {
+        self.points.get(..self.len).unwrap_or(&[])
+    }
+
+    #[inline(always)]
     fn normal(&self) -> Option<Vec3<S::Unit>> {
-        self.points.first().copied().flatten().map(|touch| touch.normal)
+        self.points().first().map(|touch| touch.normal)
     }
 
     fn pushes_like(&self, normal: Vec3<S::Unit>) -> bool {
@@ -35,40 +42,43 @@ impl<S: Scalar> Patch<S> {
         })
     }
 
-    fn add(&mut self, touch: Touch<S>) {
+    #[inline(never)]
+    fn add(&mut self, touch: &Touch<S>) {
         // The same corner over a side of two triangles counts once.
-        for point in self.points.iter_mut().flatten() {
+        for point in self.points() {
             if point.feature == touch.feature && point.middle == touch.middle {
                 return;
             }
         }
-        if self.points.iter().all(Option::is_some) {
+        if self.len == POINTS {
             self.choose();
         }
-        if let Some(free) = self.points.iter_mut().find(|point| point.is_none()) {
-            *free = Some(touch);
+        if let Some(free) = self.points.get_mut(self.len) {
+            *free = *touch;
+            self.len = self.len.wrapping_add(1);
         }
     }
 
     /// Keeps up to four, at the front.
+    #[inline(never)]
     fn choose(&mut self) {
         let mut polygon = Polygon::<S, POINTS>::EMPTY;
-        for touch in self.points.iter().flatten() {
+        for touch in self.points() {
             polygon.push(Vec3::new(touch.middle.x, touch.middle.y, touch.separation), 0);
         }
-        let chosen = polygon.four(S::STEP);
-        let all = self.points;
-        self.points = [None; POINTS];
-        let mut bits = chosen;
-        let mut free = self.points.iter_mut();
-        for touch in all.iter().flatten() {
-            if bits & 1 == 1 {
-                if let Some(free) = free.next() {
-                    *free = Some(*touch);
+        let mut chosen = polygon.four(S::STEP);
+        let mut kept = 0usize;
+        for index in 0..self.len {
+            let Some(&touch) = self.points.get(index) else { continue };
+            if chosen & 1 == 1 {
+                if let Some(place) = self.points.get_mut(kept) {
+                    *place = touch;
+                    kept = kept.wrapping_add(1);
                 }
             }
-            bits >>= 1;
+            chosen >>= 1;
         }
+        self.len = kept;
     }
 }
 
@@ -85,12 +95,14 @@ pub(super) struct Sink<'a, S: Scalar, K> {
 }
 
 impl<S: Scalar, K: ManifoldSink<S>> Sink<'_, S, K> {
+    /// The patch, and empties it.
+    #[inline(never)]
     fn hand_over(&mut self, patch: &mut Patch<S>) {
         let Some(normal) = patch.normal() else { return };
         patch.choose();
         let place: &mut Manifold<S> = self.sink.place();
         place.begin(S::opposite(&self.field_pose.rotation.times(normal)));
-        for touch in patch.points.iter().flatten() {
+        for touch in patch.points() {
             let r = self.field_pose.rotate(touch.middle - self.origin);
             let Touch { separation, feature, .. } = *touch;
             place.push(ManifoldPoint { r_a: r, r_b: r - self.d, separation, feature: FeatureId(feature) });
@@ -99,7 +111,7 @@ impl<S: Scalar, K: ManifoldSink<S>> Sink<'_, S, K> {
             place.swap();
         }
         self.sink.take(part::<S>(normal));
-        *patch = Patch::EMPTY;
+        patch.len = 0;
     }
 }
 
@@ -119,12 +131,14 @@ pub(super) struct Patches<'a, S: Scalar, K> {
 }
 
 impl<'a, S: Scalar, K: ManifoldSink<S>> Patches<'a, S, K> {
+    #[inline(always)]
     pub fn new(sink: Sink<'a, S, K>) -> Self {
         Self { patches: [Patch::EMPTY; PATCHES], sink }
     }
 
     /// Hands over what there is.
-    pub fn finish(mut self) {
+    #[inline(always)]
+    pub fn finish(&mut self) {
         for patch in &mut self.patches {
             self.sink.hand_over(patch);
         }
@@ -132,7 +146,8 @@ impl<'a, S: Scalar, K: ManifoldSink<S>> Patches<'a, S, K> {
 }
 
 impl<S: Scalar, K: ManifoldSink<S>> Gather<S> for Patches<'_, S, K> {
-    fn add(&mut self, touch: Touch<S>) {
+    #[inline(never)]
+    fn add(&mut self, touch: &Touch<S>) {
         for patch in &mut self.patches {
             if patch.normal().is_none() || patch.pushes_like(touch.normal) {
                 return patch.add(touch);
