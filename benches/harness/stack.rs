@@ -3,7 +3,9 @@
 use super::Call;
 
 /// What is painted: far more than any operation takes, far less than the RAM that is left.
-const DEPTH: usize = 6 * 1024;
+const DEPTH: usize = 4 * 1024;
+/// More than the frames between here and the paint.
+const MARGIN: usize = 128;
 
 core::arch::global_asm!(
     ".section .text.bench_stack, \"ax\"",
@@ -47,11 +49,18 @@ core::arch::global_asm!(
 
 unsafe extern "C" {
     fn bench_stack(call: *const Call, depth: usize) -> usize;
+    /// Where statics end, as `cortex-m-rt` links them.
+    static __euninit: u8;
 }
 
-/// Bytes of stack that a call uses below the stack pointer it is called with. `None` when it used all that was painted.
+/// Bytes of stack that a call uses below the stack pointer it is called with. `None` when it used all that is painted, or
+/// there is no room for the paint.
 pub fn bytes(call: &Call) -> Option<u32> {
-    // SAFETY: what is painted lies below every frame in use; else as for `counter::instructions`.
+    let here = 0_u32;
+    if ((&raw const here).addr()).checked_sub((&raw const __euninit).addr())? < DEPTH + MARGIN {
+        return None;
+    }
+    // SAFETY: what is painted lies below every frame in use and above the statics; else as for `counter::instructions`.
     let bytes = unsafe { bench_stack(call, DEPTH) };
     (bytes < DEPTH).then_some(bytes as u32)
 }

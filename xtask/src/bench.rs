@@ -21,8 +21,8 @@ use crate::toolchain::Toolchain;
 use anyhow::{Result, bail};
 use collect::{Measured, Sizes, Truths};
 use figures::{Figure, Key};
-use flash::Linker;
-use image::{Firmware, OWN, Opt, PEERS, Recipe};
+use flash::{Linker, Size};
+use image::{Firmware, OWN, Opt, PEERS, Part, Recipe, WORLD};
 use snapshot::Snapshot;
 
 /// What to measure; everything that is not given means all.
@@ -37,6 +37,9 @@ pub struct Options {
     /// Only this opt-level (may be given more than once)
     #[arg(long)]
     opt: Vec<Opt>,
+    /// Only this part
+    #[arg(long, value_name = "PART")]
+    only: Option<Part>,
     /// Leave out the other libraries that carom is compared with
     #[arg(long)]
     without_peers: bool,
@@ -44,7 +47,7 @@ pub struct Options {
     #[arg(long)]
     json: bool,
     /// Keep the figures as the snapshot in benches/, and bring the tables and the chart of the documentation up to date
-    #[arg(long, conflicts_with_all = ["board", "scalar", "opt", "without_peers", "check"])]
+    #[arg(long, conflicts_with_all = ["board", "scalar", "only", "opt", "without_peers", "check"])]
     save: bool,
     /// Fail where a figure rose by more than 2 % over the snapshot, or the snapshot is out of date
     ///
@@ -104,7 +107,8 @@ impl Options {
     fn ask_for(&self, key: &Key) -> bool {
         let in_list = wanted(&self.board, &[key.board]).count() > 0
             && wanted(&self.scalar, &[key.scalar]).count() > 0
-            && wanted(&self.opt, &[key.opt]).count() > 0;
+            && wanted(&self.opt, &[key.opt]).count() > 0
+            && self.only.is_none_or(|part| part == figures::part(&key.operation));
         in_list && !(self.without_peers && key.by != figures::OWN)
     }
 }
@@ -119,13 +123,16 @@ fn measure(options: &Options, toolchain: &Toolchain) -> Result<Vec<Figure>> {
     let image = |recipe: &Recipe| -> Result<Vec<Figure>> {
         eprintln!("bench: {recipe}");
         let image = recipe.build(toolchain)?;
+        let plain = recipe.build_plain(toolchain)?.map(|path| Size::of(&path)).transpose()?;
+        let plain = plain.map(|size| size.flash);
         let mut sizes = Sizes::new(Linker::new(toolchain, recipe.target, &image)?);
         let mut figures = Vec::new();
-        for board in wanted(&options.board, Board::ALL).filter(|board| board.target() == recipe.target) {
+        for board in wanted(&options.board, recipe.firmware.boards).filter(|board| board.target() == recipe.target) {
             for scalar in wanted(&options.scalar, recipe.firmware.scalars) {
                 let found = run::run(&image.elf, board, scalar, &input)?;
+                let opt = recipe.opt;
                 let measured =
-                    Measured { board, scalar, opt: recipe.opt, impacts: &impacts, truths: &truths, found: &found };
+                    Measured { board, scalar, opt, impacts: &impacts, truths: &truths, found: &found, image: plain };
                 figures.extend(measured.figures(&mut sizes)?);
             }
         }
@@ -147,17 +154,20 @@ fn measure(options: &Options, toolchain: &Toolchain) -> Result<Vec<Figure>> {
 
 /// The images that the options need.
 fn recipes(options: &Options) -> Vec<Recipe> {
-    let mut targets: Vec<&'static str> = wanted(&options.board, Board::ALL).map(Board::target).collect();
-    targets.dedup();
-    let mut firmware: Vec<Firmware> = OWN.into();
+    let mut firmware: Vec<Firmware> = [OWN, WORLD].concat();
     if !options.without_peers {
         firmware.push(PEERS);
     }
-    firmware.retain(|firmware| wanted(&options.scalar, firmware.scalars).next().is_some());
+    firmware.retain(|firmware| {
+        options.only.is_none_or(|part| part == firmware.part)
+            && wanted(&options.scalar, firmware.scalars).next().is_some()
+    });
     let mut recipes = Vec::new();
-    for target in targets {
-        for opt in wanted(&options.opt, &Opt::ALL) {
-            recipes.extend(firmware.iter().map(|&firmware| Recipe { firmware, target, opt }));
+    for firmware in firmware {
+        let mut targets: Vec<&'static str> = wanted(&options.board, firmware.boards).map(Board::target).collect();
+        targets.dedup();
+        for target in targets {
+            recipes.extend(wanted(&options.opt, &Opt::ALL).map(|opt| Recipe { firmware, target, opt }));
         }
     }
     recipes

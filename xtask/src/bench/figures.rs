@@ -1,6 +1,6 @@
 //! What is measured and kept: one figure for an operation in a number type on a board at an opt-level.
 
-use super::image::Opt;
+use super::image::{Opt, Part};
 use crate::boards::{Board, Scalar};
 use serde::{Deserialize, Serialize};
 
@@ -37,7 +37,44 @@ pub struct Figure {
     /// Of the first impact's result: the largest error of a velocity component, in m/s or rad/s.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<f64>,
+    /// Of a scene.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub scene: Option<Scene>,
 }
+
+/// What came of a scene, and what its steps are made of.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Scene {
+    /// The height of the highest piece's centre, m, or the speed at which the ball rolls, m/s.
+    pub outcome: f64,
+    /// Bytes of flash of firmware that does this and no more.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub image: Option<u32>,
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub stages: Option<Stages>,
+}
+
+/// Instructions of the stages of a step. What is left of a step is the world's own: who is awake, what touches what.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Stages {
+    pub broad: u32,
+    pub narrow: u32,
+    pub prepare: u32,
+    pub solve: u32,
+    pub integrate: u32,
+    pub keep: u32,
+}
+
+/// Every scene, in the order in which they are shown, what its measured firmware is linked for, and in words.
+pub const SCENES: [(&str, &str, &str); 7] = [
+    ("spheres_1", "spheres", "1 ball at rest"),
+    ("spheres_4", "spheres", "4 balls stacked"),
+    ("spheres_8", "spheres", "8 balls stacked"),
+    ("slide", "spheres", "a ball slides, then rolls"),
+    ("boxes_1", "boxes", "1 box at rest"),
+    ("boxes_4", "boxes", "4 boxes stacked"),
+    ("boxes_8", "boxes", "8 boxes stacked"),
+];
 
 /// Every operation, in the order in which they are shown, and in words.
 pub const OPERATIONS: [(&str, &str); 17] = [
@@ -60,12 +97,18 @@ pub const OPERATIONS: [(&str, &str); 17] = [
     ("friction_slip", "the same on rows that slide"),
 ];
 
+/// What measures it.
+pub fn part(operation: &str) -> Part {
+    if SCENES.iter().any(|(name, ..)| *name == operation) { Part::World } else { Part::Operations }
+}
+
 impl Figure {
     /// Sorts figures as they are shown and kept.
     pub fn order(&self) -> impl Ord + use<> {
         let Key { board, by, operation, scalar, opt } = &self.key;
         let place = OPERATIONS.iter().position(|(name, _)| name == operation);
-        (*board, place, by != OWN, by.clone(), *scalar, *opt)
+        let scene = SCENES.iter().position(|(name, ..)| name == operation);
+        (*board, scene, place, by != OWN, by.clone(), *scalar, *opt)
     }
 }
 

@@ -1,5 +1,6 @@
 //! One run of the firmware on a board, and what it printed.
 
+use super::figures::Stages;
 use crate::boards::{Board, Scalar};
 use crate::qemu;
 use anyhow::{Context, Result, bail};
@@ -30,6 +31,9 @@ pub struct Found {
     pub results: Vec<(String, Words)>,
     /// Other libraries on the first impact.
     pub peers: Vec<Peer>,
+    pub scenes: Vec<Played>,
+    /// The stages of a step, scene by scene.
+    pub stages: Vec<(String, Stages)>,
 }
 
 /// The bits of v_a, w_a, v_b, w_b.
@@ -42,6 +46,23 @@ pub struct Peer {
     pub operation: String,
     pub cost: Cost,
     pub result: Words,
+}
+
+/// A scene that was played to its end.
+#[derive(Debug, PartialEq)]
+pub struct Played {
+    pub by: String,
+    pub name: String,
+    /// Of the last steps the mean; the most stack.
+    pub cost: Cost,
+    pub min: u32,
+    pub max: u32,
+    /// The step of the maximum.
+    pub worst: u32,
+    /// Bytes of the world.
+    pub ram: u32,
+    /// The bits of what came of it.
+    pub outcome: u32,
 }
 
 /// Runs the firmware in one number type over the input.
@@ -74,6 +95,22 @@ fn parse(text: &str) -> Result<Found> {
             (["result", _], 12, Some(result)) => found.results.push((name(1), result)),
             (["peer", _, _], 14, Some(result)) => {
                 found.peers.push(Peer { name: name(1), operation: name(2), cost: cost(0), result });
+            }
+            (["scene", _, _], 7, _) => found.scenes.push(Played {
+                by: name(1),
+                name: name(2),
+                cost: Cost { instructions: numbers[0], stack: numbers[4] },
+                min: numbers[1],
+                max: numbers[2],
+                worst: numbers[3],
+                ram: numbers[5],
+                outcome: numbers[6],
+            }),
+            (["stages", _], 6, _) => {
+                let &[broad, narrow, prepare, solve, integrate, keep] = &numbers[..] else {
+                    unreachable!("there are six")
+                };
+                found.stages.push((name(1), Stages { broad, narrow, prepare, solve, integrate, keep }));
             }
             (["row"], 5, _) => found.rows.push(Some([cost(1), cost(3)])),
             (["skip"], 1, _) => found.rows.push(None),
