@@ -22,7 +22,7 @@ use anyhow::{Result, bail};
 use collect::{Measured, Sizes, Truths};
 use figures::{Figure, Key};
 use flash::{Linker, Size};
-use image::{Firmware, OWN, Opt, PEERS, Part, Recipe, WORLD};
+use image::{Firmware, OWN, Opt, PEERS, PEERS_WORLD, Part, Recipe, WORLD};
 use snapshot::Snapshot;
 
 /// What to measure; everything that is not given means all.
@@ -156,7 +156,7 @@ fn measure(options: &Options, toolchain: &Toolchain) -> Result<Vec<Figure>> {
 fn recipes(options: &Options) -> Vec<Recipe> {
     let mut firmware: Vec<Firmware> = [OWN, WORLD].concat();
     if !options.without_peers {
-        firmware.push(PEERS);
+        firmware.extend([PEERS, PEERS_WORLD]);
     }
     firmware.retain(|firmware| {
         options.only.is_none_or(|part| part == firmware.part)

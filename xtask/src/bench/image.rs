@@ -125,6 +125,17 @@ pub const PEERS: Firmware = Firmware {
     ..FIXED
 };
 
+/// Other libraries' worlds, on a board with an FPU and on one without.
+pub const PEERS_WORLD: Firmware = Firmware {
+    part: Part::World,
+    binary: "carom-bench-peers-world",
+    large: true,
+    feature: Some("world"),
+    scalars: &[Scalar::F32],
+    boards: &[Board::M3, Board::M4f],
+    ..PEERS
+};
+
 /// What an image is built from, and for.
 #[derive(Clone, Copy, Debug)]
 pub struct Recipe {
