@@ -14,6 +14,7 @@ mod run;
 mod snapshot;
 mod table;
 mod truth;
+mod worlds;
 
 use crate::boards::{Board, Scalar};
 use crate::setup;
@@ -26,7 +27,7 @@ use image::{Firmware, OWN, Opt, PEERS, PEERS_WORLD, Part, Recipe, WORLD};
 use snapshot::Snapshot;
 
 /// What to measure; everything that is not given means all.
-#[derive(clap::Args, Default)]
+#[derive(clap::Args, Default, PartialEq)]
 pub struct Options {
     /// Only this board (may be given more than once)
     #[arg(long)]
@@ -46,8 +47,10 @@ pub struct Options {
     /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
-    /// Keep the figures as the snapshot in benches/, and bring the tables and the chart of the documentation up to date
-    #[arg(long, conflicts_with_all = ["board", "scalar", "only", "opt", "without_peers", "check"])]
+    /// Keep the figures in the snapshot in benches/, and bring the tables and the chart of the documentation up to date
+    ///
+    /// What is not measured stays as it is; the snapshot has to be of the same compiler then.
+    #[arg(long, conflicts_with = "check")]
     save: bool,
     /// Fail where a figure rose by more than 2 % over the snapshot, or the snapshot is out of date
     ///
@@ -70,9 +73,10 @@ pub fn run(options: &Options) -> Result<()> {
         table::print(&snapshot.figures);
     }
     if options.save {
-        snapshot.write()?;
-        document::write(&snapshot)?;
-        eprintln!("bench: saved {} figures", snapshot.figures.len());
+        let saved = options.merge(&snapshot)?;
+        saved.write()?;
+        document::write(&saved)?;
+        eprintln!("bench: saved {} figures of {}", snapshot.figures.len(), saved.figures.len());
     }
     if options.check {
         let mut saved = Snapshot::read()?;
@@ -103,6 +107,22 @@ fn judge(saved: &Snapshot, measured: &Snapshot) -> Result<()> {
 }
 
 impl Options {
+    /// The snapshot in the repository with these figures in place of all that were asked for.
+    fn merge(&self, measured: &Snapshot) -> Result<Snapshot> {
+        if *self == (Self { json: self.json, save: true, yes: self.yes, ..Self::default() }) {
+            return Ok(measured.clone());
+        }
+        let mut merged = Snapshot::read()?;
+        merged.figures.retain(|figure| !self.ask_for(&figure.key));
+        if merged.rustc != measured.rustc && !merged.figures.is_empty() {
+            bail!("the snapshot is of {}, these figures of {}: measure everything", merged.rustc, measured.rustc);
+        }
+        merged.rustc.clone_from(&measured.rustc);
+        merged.figures.extend_from_slice(&measured.figures);
+        merged.figures.sort_by_cached_key(Figure::order);
+        Ok(merged)
+    }
+
     /// Whether such figures are measured.
     fn ask_for(&self, key: &Key) -> bool {
         let in_list = wanted(&self.board, &[key.board]).count() > 0

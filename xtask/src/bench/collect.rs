@@ -99,12 +99,14 @@ impl Measured<'_> {
             (sizes.of(kind, by)?, Some(image(sizes)?))
         };
         let stages = self.found.stages.iter().find(|(scene, _)| scene == name).map(|(_, stages)| *stages);
+        // To a tenth of a millimetre: what is less moves with every rounding.
+        let outcome = (truth::value(*outcome, self.scalar) * 1e4).round() / 1e4;
         let figure = self.figure(name, *cost, size);
         Ok(Figure {
             key: Key { by: by.clone(), ..figure.key },
             spread: Some(Spread { min: *min, max: *max, worst: worst.to_string(), rows: STEPS, skipped: 0 }),
             ram: *ram,
-            scene: Some(Scene { outcome: truth::value(*outcome, self.scalar), image, stages }),
+            scene: Some(Scene { outcome, image, stages }),
             ..figure
         })
     }

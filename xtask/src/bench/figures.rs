@@ -65,15 +65,25 @@ pub struct Stages {
     pub keep: u32,
 }
 
+/// Their names, in the order of [`Stages::all`].
+pub const STAGES: [&str; 6] = ["broad", "narrow", "prepare", "solve", "integrate", "keep"];
+
+impl Stages {
+    pub fn all(self) -> [u32; 6] {
+        let Self { broad, narrow, prepare, solve, integrate, keep } = self;
+        [broad, narrow, prepare, solve, integrate, keep]
+    }
+}
+
 /// Every scene, in the order in which they are shown, what its measured firmware is linked for, and in words.
 pub const SCENES: [(&str, &str, &str); 7] = [
-    ("spheres_1", "spheres", "1 ball at rest"),
-    ("spheres_4", "spheres", "4 balls stacked"),
-    ("spheres_8", "spheres", "8 balls stacked"),
-    ("slide", "spheres", "a ball slides, then rolls"),
-    ("boxes_1", "boxes", "1 box at rest"),
-    ("boxes_4", "boxes", "4 boxes stacked"),
-    ("boxes_8", "boxes", "8 boxes stacked"),
+    ("spheres_1", "spheres", "ball at rest"),
+    ("spheres_4", "spheres", "stack of 4 balls"),
+    ("spheres_8", "spheres", "stack of 8 balls"),
+    ("slide", "spheres", "sliding ball"),
+    ("boxes_1", "boxes", "box at rest"),
+    ("boxes_4", "boxes", "stack of 4 boxes"),
+    ("boxes_8", "boxes", "stack of 8 boxes"),
 ];
 
 /// Every operation, in the order in which they are shown, and in words.

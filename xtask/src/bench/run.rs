@@ -131,6 +131,11 @@ mod tests {
         assert_eq!(found.operations, [("dot".to_owned(), Cost { instructions: 28, stack: 32 })]);
         assert_eq!(found.rows[0], None);
         assert_eq!(found.rows[1], Some([(2, 3), (4, 5)].map(|(instructions, stack)| Cost { instructions, stack })));
+        let found = parse("scene x spheres_8 1 2 3 4 5 6 7\nstages spheres_8 1 2 3 4 5 6\n").expect("it is right");
+        let cost = Cost { instructions: 1, stack: 5 };
+        let (by, name) = ("x".to_owned(), "spheres_8".to_owned());
+        assert_eq!(found.scenes, [Played { by, name, cost, min: 2, max: 3, worst: 4, ram: 6, outcome: 7 }]);
+        assert_eq!(found.stages[0].1.all(), [1, 2, 3, 4, 5, 6]);
         assert!(parse("row 1 2 3").is_err());
         assert!(parse("row 1 2 3 4 x").is_err());
     }
