@@ -1,5 +1,6 @@
 //! `cargo xtask bench`: what operations cost on the boards.
 
+mod bound;
 mod chart;
 mod check;
 mod collect;

@@ -7,6 +7,8 @@ mod balls;
 #[path = "../../../examples/board/mod.rs"]
 mod board;
 #[cfg(target_os = "none")]
+mod bounds;
+#[cfg(target_os = "none")]
 mod bricks;
 #[cfg(target_os = "none")]
 #[path = "../../harness/mod.rs"]

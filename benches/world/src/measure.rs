@@ -2,6 +2,7 @@
 
 use crate::balls::Ball;
 use crate::board;
+use crate::bounds;
 use crate::bricks::Brick;
 use crate::harness::arena::Arena;
 use crate::harness::scene::{self, Play};
@@ -38,6 +39,7 @@ pub type Bodies<S> = [Body<S>; MOST + 1];
 /// - `scene carom NAME MEAN MIN MAX WORST STACK RAM WORD`: instructions of a step, the step that took most, bytes of stack,
 ///   bytes of the smallest world that holds the scene, and the bits of what came of it: the height of the highest piece, or the
 ///   speed of the one that slid
+/// - `bound ...`: see there
 /// - `stages NAME BROAD NARROW PREPARE SOLVE INTEGRATE KEEP`: instructions of the step after the last
 pub fn run<S: Scalar>() -> Result<(), &'static str>
 where
@@ -55,14 +57,17 @@ where
     for (scene, ram) in BRICKS.iter().zip(rams).filter(|((_, scene), _)| 4 * scene.pieces <= OF_BRICKS) {
         play::<S, Brick<S>, OF_BRICKS>(scene, ram)?;
     }
+    bound::<S, Ball<S>, OF_BALLS>("spheres")?;
+    bound::<S, Brick<S>, OF_BRICKS>("boxes")?;
     // A stack that grew into the statics would show here.
     if counter::is_exact() { Ok(()) } else { Err("the counter does not count exactly any more") }
 }
 
-struct Game<S: Scalar, Sh, const POINTS: usize> {
-    room: Room<S, Sh, POINTS>,
-    settings: Settings<S>,
-    report: WorldReport,
+/// A world that is stepped.
+pub struct Game<S: Scalar, Sh, const POINTS: usize> {
+    pub room: Room<S, Sh, POINTS>,
+    pub settings: Settings<S>,
+    pub report: WorldReport,
     /// A step left something out, or ran against the end of the format.
     failed: bool,
 }
@@ -86,7 +91,7 @@ fn play<S: Scalar, Sh: Stepped<S, POINTS>, const POINTS: usize>(
 ) -> Result<(), &'static str> {
     // SAFETY: an empty world is all zero, and so may numbers be. What was there before is forgotten.
     let game = unsafe { ARENA.zeroed::<Game<S, Sh, POINTS>>() };
-    game.settings = settings().ok_or(UNSET)?;
+    game.settings = settings(4).ok_or(UNSET)?;
     fill(&mut game.room, &scene).ok_or(UNSET)?;
     let stack = scene::stack(game).ok_or("a step took more stack than is painted")?;
     let top = fill(&mut game.room, &scene).ok_or(UNSET)?;
@@ -101,6 +106,19 @@ fn play<S: Scalar, Sh: Stepped<S, POINTS>, const POINTS: usize>(
     board::println!("scene carom {name} {mean} {min} {max} {worst} {stack} {ram} {}", outcome.bits() as u32);
     let [broad, narrow, prepare, solve, integrate, keep] = stages(game, &scene).ok_or("a stage took too long")?;
     board::println!("stages {name} {broad} {narrow} {prepare} {solve} {integrate} {keep}");
+    Ok(())
+}
+
+/// Prints how the cost of a step grows.
+#[inline(never)]
+fn bound<S: Scalar, Sh: Stepped<S, POINTS>, const POINTS: usize>(kind: &str) -> Result<(), &'static str> {
+    // As many boxes as there is room for their points.
+    let most = if kind == "boxes" { POINTS / 4 } else { MOST };
+    for sub_steps in [2, 4, 8] {
+        // SAFETY: as in `play`.
+        let game = unsafe { ARENA.zeroed::<Game<S, Sh, POINTS>>() };
+        bounds::run(game, kind, most, sub_steps).ok_or("the scenes of the bound cannot be played")?;
+    }
     Ok(())
 }
 

@@ -13,6 +13,12 @@ pub type Room<S, Sh, const POINTS: usize> = World<S, Sh, { MOST + 1 }, MOST, POI
 pub trait Piece<S: Scalar>: Collide<S, Self> + From<HalfSpace<S>> {
     /// At the origin.
     fn new() -> Option<(Body<S>, Self)>;
+
+    /// One that is not the same about every axis, if there is one.
+    #[allow(dead_code)]
+    fn odd() -> Option<(Body<S>, Self)> {
+        Self::new()
+    }
 }
 
 /// What is in a world.
@@ -23,9 +29,9 @@ pub struct Scene {
     pub speed: i32,
 }
 
-/// Steps of 1/60 s in four sub-steps.
-pub fn settings<S: Scalar>() -> Option<Settings<S>> {
-    Settings::new(Vec3::new(S::ZERO, S::ZERO, S::from_ratio(-981, 100).ok()?), [1, 60], 4).ok()
+/// Steps of 1/60 s.
+pub fn settings<S: Scalar>(sub_steps: u8) -> Option<Settings<S>> {
+    Settings::new(Vec3::new(S::ZERO, S::ZERO, S::from_ratio(-981, 100).ok()?), [1, 60], sub_steps).ok()
 }
 
 /// Of everything: friction of a half, no rebound.

@@ -23,7 +23,7 @@ mod firmware {
     #[cortex_m_rt::entry]
     fn main() -> ! {
         static mut ROOM: Room<S, Ball<S>, MOST> = Room::new();
-        if let (Some(settings), Some(top)) = (settings(), fill(ROOM, black_box(&SCENE))) {
+        if let (Some(settings), Some(top)) = (settings(4), fill(ROOM, black_box(&SCENE))) {
             for _ in 0..180 {
                 ROOM.step(&settings);
             }
@@ -36,9 +36,7 @@ mod firmware {
 
     #[panic_handler]
     fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
-        loop {
-            cortex_m::asm::udf();
-        }
+        cortex_m::asm::udf()
     }
 }
 

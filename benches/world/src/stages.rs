@@ -17,7 +17,7 @@ use carom::{Aabb, HalfSpace, Manifold, ManifoldSink, Material, Pairs, Pose, Scal
 const PAIRS: usize = 3 * MOST;
 
 /// The part of a size within which surfaces count as near, as a power of two: the world's.
-const NEAR: u32 = 8;
+pub const NEAR: u32 = 8;
 
 /// A manifold, between whom, and its impulses of the step before.
 #[derive(Clone, Copy)]
@@ -78,7 +78,7 @@ impl<S: Scalar, Sh: Piece<S>, const POINTS: usize> Pieces<S, Sh, POINTS> {
         self.len = len;
         self.poses = [Pose::IDENTITY; MOST + 1];
         self.boxes[0] = plane.aabb(&Pose::IDENTITY);
-        self.settings = settings()?;
+        self.settings = settings(4)?;
         self.material = surface()?;
         Some(())
     }

@@ -71,7 +71,7 @@ mod tests {
             scalar: Scalar::F32,
             opt: Opt::Speed,
         };
-        Figure { key, instructions, spread: None, flash: 100, stack: 8, ram: 0, error: None, scene: None }
+        Figure { key, instructions, spread: None, flash: 100, stack: 8, ram: 0, error: None, scene: None, bound: None }
     }
 
     #[track_caller]

@@ -1,6 +1,7 @@
 //! From what boards printed and the linker said to figures.
 
-use super::figures::{Figure, Key, OWN, SCENES, Scene, Spread};
+use super::bound::{Bound, Work};
+use super::figures::{Figure, KINDS, Key, OWN, SCENES, Scene, Spread};
 use super::flash::{Linker, Size};
 use super::image::Opt;
 use super::impacts::{IMMOVABLE, Impact, REFERENCE};
@@ -81,6 +82,16 @@ impl Measured<'_> {
         for played in &self.found.scenes {
             figures.push(self.scene(played, sizes)?);
         }
+        for (operation, kind, _, points) in KINDS {
+            if self.found.samples.is_empty() {
+                continue;
+            }
+            let bound = Bound::find(kind, &self.found.samples)
+                .with_context(|| format!("{} in {} at opt-level {}", self.board, self.scalar, self.opt))?;
+            let highest = Work { sub_steps: 4, bodies: 8, pairs: 8, points: 8 * points };
+            let cost = Cost { instructions: bound.of(highest), stack: 0 };
+            figures.push(Figure { bound: Some(bound), ..self.figure(operation, cost, Size::default()) });
+        }
         Ok(figures)
     }
 
@@ -147,7 +158,17 @@ impl Measured<'_> {
         let Measured { board, scalar, opt, .. } = *self;
         let key = Key { board, by: OWN.to_owned(), operation: operation.to_owned(), scalar, opt };
         let Cost { instructions, stack } = cost;
-        Figure { key, instructions, spread: None, flash: size.flash, stack, ram: size.ram, error: None, scene: None }
+        Figure {
+            key,
+            instructions,
+            spread: None,
+            flash: size.flash,
+            stack,
+            ram: size.ram,
+            error: None,
+            scene: None,
+            bound: None,
+        }
     }
 
     /// The median and the most stack of the table's rows in these modes, and how far they spread.

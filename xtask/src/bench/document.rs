@@ -35,6 +35,7 @@ fn documents(snapshot: &Snapshot) -> Result<Vec<(PathBuf, String)>> {
     let cost = fill(&cost, "peers", &markdown::peers(snapshot))?;
     let cost = fill(&cost, "world", &worlds::steps(snapshot))?;
     let cost = fill(&cost, "stages", &worlds::stages(snapshot))?;
+    let cost = fill(&cost, "bound", &worlds::bounds(snapshot))?;
     let cost = fill(&cost, "world sizes", &worlds::sizes(snapshot))?;
     let cost = fill(&cost, "world peers", &worlds::peers(snapshot))?;
     let cost = fill(&cost, "compiler", &format!("Compiled by {}.\n", snapshot.rustc))?;

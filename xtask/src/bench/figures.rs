@@ -1,5 +1,6 @@
 //! What is measured and kept: one figure for an operation in a number type on a board at an opt-level.
 
+use super::bound::Bound;
 use super::image::{Opt, Part};
 use crate::boards::{Board, Scalar};
 use serde::{Deserialize, Serialize};
@@ -40,6 +41,9 @@ pub struct Figure {
     /// Of a scene.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub scene: Option<Scene>,
+    /// Of a step of a kind of world; its instructions are those of the highest stack.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bound: Option<Bound>,
 }
 
 /// What came of a scene, and what its steps are made of.
@@ -86,6 +90,10 @@ pub const SCENES: [(&str, &str, &str); 7] = [
     ("boxes_8", "boxes", "stack of 8 boxes"),
 ];
 
+/// The kinds of worlds that have a bound: the operation, the kind, in words, and the points between two.
+pub const KINDS: [(&str, &str, &str, u32); 2] =
+    [("bound_spheres", "spheres", "balls and planes", 1), ("bound_boxes", "boxes", "boxes and planes", 4)];
+
 /// Every operation, in the order in which they are shown, and in words.
 pub const OPERATIONS: [(&str, &str); 17] = [
     ("multiply", "x * y"),
@@ -107,9 +115,15 @@ pub const OPERATIONS: [(&str, &str); 17] = [
     ("friction_slip", "the same on rows that slide"),
 ];
 
+/// Where it stands among what is measured of worlds.
+fn world_place(operation: &str) -> Option<usize> {
+    let mut names = SCENES.iter().map(|(name, ..)| *name).chain(KINDS.iter().map(|(name, ..)| *name));
+    names.position(|name| name == operation)
+}
+
 /// What measures it.
 pub fn part(operation: &str) -> Part {
-    if SCENES.iter().any(|(name, ..)| *name == operation) { Part::World } else { Part::Operations }
+    if world_place(operation).is_some() { Part::World } else { Part::Operations }
 }
 
 impl Figure {
@@ -117,8 +131,7 @@ impl Figure {
     pub fn order(&self) -> impl Ord + use<> {
         let Key { board, by, operation, scalar, opt } = &self.key;
         let place = OPERATIONS.iter().position(|(name, _)| name == operation);
-        let scene = SCENES.iter().position(|(name, ..)| name == operation);
-        (*board, scene, place, by != OWN, by.clone(), *scalar, *opt)
+        (*board, world_place(operation), place, by != OWN, by.clone(), *scalar, *opt)
     }
 }
 

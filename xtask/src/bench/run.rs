@@ -1,5 +1,6 @@
 //! One run of the firmware on a board, and what it printed.
 
+use super::bound::{Sample, Work};
 use super::figures::Stages;
 use crate::boards::{Board, Scalar};
 use crate::qemu;
@@ -32,6 +33,8 @@ pub struct Found {
     /// Other libraries on the first impact.
     pub peers: Vec<Peer>,
     pub scenes: Vec<Played>,
+    /// Steps to find a bound in.
+    pub samples: Vec<Sample>,
     /// The stages of a step, scene by scene.
     pub stages: Vec<(String, Stages)>,
 }
@@ -111,6 +114,13 @@ fn parse(text: &str) -> Result<Found> {
                     unreachable!("there are six")
                 };
                 found.stages.push((name(1), Stages { broad, narrow, prepare, solve, integrate, keep }));
+            }
+            (["bound", _, _], 5, _) => {
+                let &[sub_steps, bodies, pairs, points, instructions] = &numbers[..] else {
+                    unreachable!("there are five")
+                };
+                let work = Work { sub_steps, bodies, pairs, points };
+                found.samples.push(Sample { kind: name(1), scene: name(2), work, instructions });
             }
             (["row"], 5, _) => found.rows.push(Some([cost(1), cost(3)])),
             (["skip"], 1, _) => found.rows.push(None),

@@ -25,12 +25,17 @@ Flash: of a step alone; image: of firmware that plays and measures nothing. RAM:
 pub fn print(figures: &[Figure]) {
     for board in Board::ALL {
         let here = figures.iter().filter(|figure| figure.key.board == *board);
-        let (scenes, operations): (Vec<&Figure>, Vec<&Figure>) = here.partition(|figure| figure.scene.is_some());
+        let (bounds, here): (Vec<&Figure>, Vec<&Figure>) = here.partition(|figure| figure.bound.is_some());
+        let (scenes, operations): (Vec<&Figure>, Vec<&Figure>) =
+            here.into_iter().partition(|figure| figure.scene.is_some());
         if !operations.is_empty() {
             println!("\n{board}\n{}", table(&operations));
         }
         if !scenes.is_empty() {
             println!("\n{board}, whole steps\n{}", worlds::table(&scenes));
+        }
+        if !bounds.is_empty() {
+            println!("\n{board}, what a step takes at most\n{}", worlds::bound_table(&bounds));
         }
     }
 }

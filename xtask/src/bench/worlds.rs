@@ -1,6 +1,7 @@
 //! The figures of whole steps, as the documentation and the terminal show them.
 
-use super::figures::{Figure, Key, OWN, SCENES, STAGES, Stages};
+use super::bound::Bound;
+use super::figures::{Figure, KINDS, Key, OWN, SCENES, STAGES, Stages};
 use super::grid::Grid;
 use super::image::Opt;
 use super::markdown::{grouped, with_most};
@@ -132,6 +133,41 @@ fn ratio(figure: &Figure, all: &[&Figure]) -> Option<f64> {
     };
     let own = own(figure.key.scalar).or_else(|| own(Scalar::I16F16)).filter(|_| figure.key.by != OWN)?;
     Some(f64::from(figure.instructions) / f64::from(own.instructions))
+}
+
+/// The constants of the bound.
+pub fn bounds(snapshot: &Snapshot) -> String {
+    let names =
+        ["", "", "board", "step", "body", "body and sub-step", "pair", "point and sub-step", "highest stack", "trial"];
+    let mut table = Grid::new(names);
+    for (operation, _, words, _) in KINDS {
+        for (scalar, board) in PLACES {
+            let Some(figure) = snapshot.find(board, OWN, operation, scalar, Opt::Speed) else { continue };
+            let names = [words, scalar_name(scalar), board.name()].map(str::to_owned);
+            table.row(names.into_iter().chain(constants(figure)));
+        }
+    }
+    table.render()
+}
+
+fn constants(figure: &Figure) -> Vec<String> {
+    let Some(Bound { step, body, body_sub_step, pair, point_sub_step, reached }) = figure.bound else {
+        return Vec::new();
+    };
+    let numbers = [step, body, body_sub_step, pair, point_sub_step, figure.instructions].map(grouped);
+    numbers.into_iter().chain([format!("{reached} %")]).collect()
+}
+
+/// For the terminal: the bounds of a board.
+pub fn bound_table(figures: &[&Figure]) -> String {
+    let names =
+        ["bound", "scalar", "opt", "step", "body", "body, sub-step", "pair", "point, sub-step", "stack", "trial"];
+    let mut table = Grid::new(names);
+    for figure in figures {
+        let Key { operation, scalar, opt, .. } = &figure.key;
+        table.row([operation.clone(), scalar.to_string(), opt.to_string()].into_iter().chain(constants(figure)));
+    }
+    table.render()
 }
 
 /// For the README: a step of the highest stacks, and the others' beside it.
