@@ -2,8 +2,10 @@
 
 use super::Call;
 
-/// What is painted: far more than any operation takes, far less than the RAM that is left.
-const DEPTH: usize = 6 * 1024;
+/// What is painted at most: far more than any operation takes.
+const DEPTH: usize = 8 * 1024;
+/// More than the frames between here and the paint.
+const MARGIN: usize = 256;
 
 core::arch::global_asm!(
     ".section .text.bench_stack, \"ax\"",
@@ -47,11 +49,19 @@ core::arch::global_asm!(
 
 unsafe extern "C" {
     fn bench_stack(call: *const Call, depth: usize) -> usize;
+    /// Where statics end, as `cortex-m-rt` links them.
+    static __euninit: u8;
 }
 
-/// Bytes of stack that a call uses below the stack pointer it is called with. `None` when it used all that was painted.
+/// Bytes of stack that a call uses below the stack pointer it is called with. `None` when it used all that is painted.
+///
+/// Never inlined, so that the frame between `here` and the paint is small.
+#[inline(never)]
 pub fn bytes(call: &Call) -> Option<u32> {
-    // SAFETY: what is painted lies below every frame in use; else as for `counter::instructions`.
-    let bytes = unsafe { bench_stack(call, DEPTH) };
-    (bytes < DEPTH).then_some(bytes as u32)
+    let here = 0_u32;
+    let free = (&raw const here).addr().checked_sub((&raw const __euninit).addr() + MARGIN)?;
+    let depth = DEPTH.min(free) / 4 * 4;
+    // SAFETY: what is painted lies below every frame in use and above the statics; else as for `counter::instructions`.
+    let bytes = unsafe { bench_stack(call, depth) };
+    (bytes < depth).then_some(bytes as u32)
 }

@@ -1,5 +1,6 @@
 //! `cargo xtask bench`: what operations cost on the boards.
 
+mod bound;
 mod chart;
 mod check;
 mod collect;
@@ -14,6 +15,7 @@ mod run;
 mod snapshot;
 mod table;
 mod truth;
+mod worlds;
 
 use crate::boards::{Board, Scalar};
 use crate::setup;
@@ -21,12 +23,12 @@ use crate::toolchain::Toolchain;
 use anyhow::{Result, bail};
 use collect::{Measured, Sizes, Truths};
 use figures::{Figure, Key};
-use flash::Linker;
-use image::{Firmware, OWN, Opt, PEERS, Recipe};
+use flash::{Linker, Size};
+use image::{Firmware, OWN, Opt, PEERS, PEERS_WORLD, Part, Recipe, WORLD};
 use snapshot::Snapshot;
 
 /// What to measure; everything that is not given means all.
-#[derive(clap::Args, Default)]
+#[derive(clap::Args, Default, PartialEq)]
 pub struct Options {
     /// Only this board (may be given more than once)
     #[arg(long)]
@@ -37,14 +39,19 @@ pub struct Options {
     /// Only this opt-level (may be given more than once)
     #[arg(long)]
     opt: Vec<Opt>,
+    /// Only this part
+    #[arg(long, value_name = "PART")]
+    only: Option<Part>,
     /// Leave out the other libraries that carom is compared with
     #[arg(long)]
     without_peers: bool,
     /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
-    /// Keep the figures as the snapshot in benches/, and bring the tables and the chart of the documentation up to date
-    #[arg(long, conflicts_with_all = ["board", "scalar", "opt", "without_peers", "check"])]
+    /// Keep the figures in the snapshot in benches/, and bring the tables and the chart of the documentation up to date
+    ///
+    /// What is not measured stays as it is; the snapshot has to be of the same compiler then.
+    #[arg(long, conflicts_with = "check")]
     save: bool,
     /// Fail where a figure rose by more than 2 % over the snapshot, or the snapshot is out of date
     ///
@@ -67,9 +74,10 @@ pub fn run(options: &Options) -> Result<()> {
         table::print(&snapshot.figures);
     }
     if options.save {
-        snapshot.write()?;
-        document::write(&snapshot)?;
-        eprintln!("bench: saved {} figures", snapshot.figures.len());
+        let saved = options.merge(&snapshot)?;
+        saved.write()?;
+        document::write(&saved)?;
+        eprintln!("bench: saved {} figures of {}", snapshot.figures.len(), saved.figures.len());
     }
     if options.check {
         let mut saved = Snapshot::read()?;
@@ -100,11 +108,28 @@ fn judge(saved: &Snapshot, measured: &Snapshot) -> Result<()> {
 }
 
 impl Options {
+    /// The snapshot in the repository with these figures in place of all that were asked for.
+    fn merge(&self, measured: &Snapshot) -> Result<Snapshot> {
+        if *self == (Self { json: self.json, save: true, yes: self.yes, ..Self::default() }) {
+            return Ok(measured.clone());
+        }
+        let mut merged = Snapshot::read()?;
+        merged.figures.retain(|figure| !self.ask_for(&figure.key));
+        if merged.rustc != measured.rustc && !merged.figures.is_empty() {
+            bail!("the snapshot is of {}, these figures of {}: measure everything", merged.rustc, measured.rustc);
+        }
+        merged.rustc.clone_from(&measured.rustc);
+        merged.figures.extend_from_slice(&measured.figures);
+        merged.figures.sort_by_cached_key(Figure::order);
+        Ok(merged)
+    }
+
     /// Whether such figures are measured.
     fn ask_for(&self, key: &Key) -> bool {
         let in_list = wanted(&self.board, &[key.board]).count() > 0
             && wanted(&self.scalar, &[key.scalar]).count() > 0
-            && wanted(&self.opt, &[key.opt]).count() > 0;
+            && wanted(&self.opt, &[key.opt]).count() > 0
+            && self.only.is_none_or(|part| part == figures::part(&key.operation));
         in_list && !(self.without_peers && key.by != figures::OWN)
     }
 }
@@ -119,13 +144,16 @@ fn measure(options: &Options, toolchain: &Toolchain) -> Result<Vec<Figure>> {
     let image = |recipe: &Recipe| -> Result<Vec<Figure>> {
         eprintln!("bench: {recipe}");
         let image = recipe.build(toolchain)?;
+        let plain = recipe.build_plain(toolchain)?.map(|path| Size::of(&path)).transpose()?;
+        let plain = plain.map(|size| size.flash);
         let mut sizes = Sizes::new(Linker::new(toolchain, recipe.target, &image)?);
         let mut figures = Vec::new();
-        for board in wanted(&options.board, Board::ALL).filter(|board| board.target() == recipe.target) {
+        for board in wanted(&options.board, recipe.firmware.boards).filter(|board| board.target() == recipe.target) {
             for scalar in wanted(&options.scalar, recipe.firmware.scalars) {
                 let found = run::run(&image.elf, board, scalar, &input)?;
+                let opt = recipe.opt;
                 let measured =
-                    Measured { board, scalar, opt: recipe.opt, impacts: &impacts, truths: &truths, found: &found };
+                    Measured { board, scalar, opt, impacts: &impacts, truths: &truths, found: &found, image: plain };
                 figures.extend(measured.figures(&mut sizes)?);
             }
         }
@@ -147,17 +175,20 @@ fn measure(options: &Options, toolchain: &Toolchain) -> Result<Vec<Figure>> {
 
 /// The images that the options need.
 fn recipes(options: &Options) -> Vec<Recipe> {
-    let mut targets: Vec<&'static str> = wanted(&options.board, Board::ALL).map(Board::target).collect();
-    targets.dedup();
-    let mut firmware: Vec<Firmware> = OWN.into();
+    let mut firmware: Vec<Firmware> = [OWN, WORLD].concat();
     if !options.without_peers {
-        firmware.push(PEERS);
+        firmware.extend([PEERS, PEERS_WORLD]);
     }
-    firmware.retain(|firmware| wanted(&options.scalar, firmware.scalars).next().is_some());
+    firmware.retain(|firmware| {
+        options.only.is_none_or(|part| part == firmware.part)
+            && wanted(&options.scalar, firmware.scalars).next().is_some()
+    });
     let mut recipes = Vec::new();
-    for target in targets {
-        for opt in wanted(&options.opt, &Opt::ALL) {
-            recipes.extend(firmware.iter().map(|&firmware| Recipe { firmware, target, opt }));
+    for firmware in firmware {
+        let mut targets: Vec<&'static str> = wanted(&options.board, firmware.boards).map(Board::target).collect();
+        targets.dedup();
+        for target in targets {
+            recipes.extend(wanted(&options.opt, &Opt::ALL).map(|opt| Recipe { firmware, target, opt }));
         }
     }
     recipes

@@ -1,6 +1,6 @@
 //! Figures against the snapshot: none may rise, and one that fell is to be saved, or it could rise again unseen.
 
-use super::figures::{Figure, Key};
+use super::figures::{Figure, Key, STAGES, Stages};
 
 /// What a figure may differ by: a new version of a dependency may move an instruction here or there.
 const TOLERANCE: f64 = 0.02;
@@ -25,14 +25,18 @@ fn name(Key { board, by, operation, scalar, opt }: &Key) -> String {
 
 fn changes(old: &Figure, new: &Figure) -> impl Iterator<Item = String> {
     let max = |figure: &Figure| figure.spread.as_ref().map_or(figure.instructions, |spread| spread.max);
+    let stages = |figure: &Figure| figure.scene.and_then(|scene| scene.stages).map_or([0; 6], Stages::all);
+    let image = |figure: &Figure| figure.scene.and_then(|scene| scene.image).unwrap_or_default();
     let numbers = [
         ("instructions", old.instructions, new.instructions),
         ("most instructions", max(old), max(new)),
         ("bytes of flash", old.flash, new.flash),
         ("bytes of stack", old.stack, new.stack),
         ("bytes of RAM", old.ram, new.ram),
+        ("bytes of the image", image(old), image(new)),
     ];
-    let changes = numbers.into_iter().filter_map(|(what, old, new)| {
+    let stages = STAGES.into_iter().zip(stages(old)).zip(stages(new)).map(|((what, old), new)| (what, old, new));
+    let changes = numbers.into_iter().chain(stages).filter_map(|(what, old, new)| {
         let share = (f64::from(new) - f64::from(old)) / f64::from(old);
         // Nothing from nothing is no change.
         let share = if old == new { 0.0 } else { share };
@@ -46,13 +50,16 @@ fn changes(old: &Figure, new: &Figure) -> impl Iterator<Item = String> {
         Some(format!("{what} {word}: {old} -> {new} ({:+.1} %)", 100.0 * share))
     });
     let error = (old.error != new.error).then(|| format!("the error changed: {:?} -> {:?}", old.error, new.error));
-    changes.chain(error)
+    let outcome = |figure: &Figure| figure.scene.map(|scene| scene.outcome);
+    let outcome = (outcome(old) != outcome(new))
+        .then(|| format!("the outcome changed: {:?} -> {:?}", outcome(old), outcome(new)));
+    changes.chain(error).chain(outcome)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bench::figures::Spread;
+    use crate::bench::figures::{Scene, Spread};
     use crate::bench::image::Opt;
     use crate::boards::{Board, Scalar};
 
@@ -64,7 +71,7 @@ mod tests {
             scalar: Scalar::F32,
             opt: Opt::Speed,
         };
-        Figure { key, instructions, spread: None, flash: 100, stack: 8, ram: 0, error: None }
+        Figure { key, instructions, spread: None, flash: 100, stack: 8, ram: 0, error: None, scene: None, bound: None }
     }
 
     #[track_caller]
@@ -90,6 +97,19 @@ mod tests {
         );
         finds(&[figure(100)], &[Figure { flash: 104, ..figure(100) }], &["bytes of flash rose"]);
         finds(&[figure(100)], &[Figure { ram: 4, ..figure(100) }], &["bytes of RAM rose: 0 -> 4"]);
+        let scene = |solve, image| {
+            let stages = Stages { broad: 1, narrow: 1, prepare: 1, solve, integrate: 1, keep: 1 };
+            Some(Scene { outcome: 0.5, image: Some(image), stages: Some(stages) })
+        };
+        let old = Figure { scene: scene(100, 100), ..figure(100) };
+        finds(std::slice::from_ref(&old), &[Figure { scene: scene(103, 100), ..figure(100) }], &["solve rose"]);
+        finds(
+            std::slice::from_ref(&old),
+            &[Figure { scene: scene(100, 103), ..figure(100) }],
+            &["bytes of the image rose"],
+        );
+        let moved = Scene { outcome: 0.4, ..old.scene.expect("it has one") };
+        finds(std::slice::from_ref(&old), &[Figure { scene: Some(moved), ..figure(100) }], &["the outcome changed"]);
         let spread = |max| Some(Spread { min: 1, max, worst: "7".to_owned(), rows: 2, skipped: 0 });
         let [old, new] = [100, 110].map(|max| Figure { spread: spread(max), ..figure(50) });
         finds(&[old], &[new], &["most instructions rose"]);

@@ -1,15 +1,19 @@
 //! From what boards printed and the linker said to figures.
 
-use super::figures::{Figure, Key, OWN, Spread};
+use super::bound::{Bound, Work};
+use super::figures::{Figure, KINDS, Key, OWN, SCENES, Scene, Spread};
 use super::flash::{Linker, Size};
 use super::image::Opt;
 use super::impacts::{IMMOVABLE, Impact, REFERENCE};
-use super::run::{Cost, Found, Peer, Words};
+use super::run::{Cost, Found, Peer, Played, Words};
 use super::truth;
 use crate::boards::{Board, Scalar};
 use anyhow::{Context, Result, bail};
 use std::collections::BTreeMap;
 use std::fmt::Display;
+
+/// The steps of a scene.
+const STEPS: u32 = 180;
 
 /// What is right for the first impact, without friction and with it.
 pub struct Truths {
@@ -38,6 +42,8 @@ pub struct Measured<'a> {
     pub impacts: &'a [Impact],
     pub truths: &'a Truths,
     pub found: &'a Found,
+    /// Bytes of flash of the firmware that does the same and measures nothing.
+    pub image: Option<u32>,
 }
 
 /// The sizes of an image's operations, each linked once.
@@ -73,7 +79,47 @@ impl Measured<'_> {
             let key = Key { by: name.clone(), ..figure.key };
             figures.push(Figure { key, error: Some(error), ..figure });
         }
+        for played in &self.found.scenes {
+            figures.push(self.scene(played, sizes)?);
+        }
+        for (operation, kind, _, points) in KINDS {
+            if self.found.samples.is_empty() {
+                continue;
+            }
+            let bound = Bound::find(kind, &self.found.samples)
+                .with_context(|| format!("{} in {} at opt-level {}", self.board, self.scalar, self.opt))?;
+            let highest = Work { sub_steps: 4, bodies: 8, pairs: 8, points: 8 * points };
+            let cost = Cost { instructions: bound.of(highest), stack: 0 };
+            figures.push(Figure { bound: Some(bound), ..self.figure(operation, cost, Size::default()) });
+        }
         Ok(figures)
+    }
+
+    fn scene(&self, played: &Played, sizes: &mut Sizes) -> Result<Figure> {
+        let Played { by, name, cost, min, max, worst, ram, outcome } = played;
+        let kind = SCENES.iter().find(|(scene, ..)| scene == name);
+        let (_, kind, _) = kind.with_context(|| format!("nobody knows the scene {name}"))?;
+        // Balls alone are weighed: our own as a firmware, others' as a function that does all of it.
+        let image = |sizes: &mut Sizes| match self.image {
+            Some(image) => Ok(image),
+            None => sizes.of("play", by).map(|size| size.flash),
+        };
+        let (size, image) = if by == OWN {
+            (sizes.of(kind, self.scalar)?, (*kind == "spheres").then(|| image(sizes)).transpose()?)
+        } else {
+            (sizes.of(kind, by)?, Some(image(sizes)?))
+        };
+        let stages = self.found.stages.iter().find(|(scene, _)| scene == name).map(|(_, stages)| *stages);
+        // To a tenth of a millimetre: what is less moves with every rounding.
+        let outcome = (truth::value(*outcome, self.scalar) * 1e4).round() / 1e4;
+        let figure = self.figure(name, *cost, size);
+        Ok(Figure {
+            key: Key { by: by.clone(), ..figure.key },
+            spread: Some(Spread { min: *min, max: *max, worst: worst.to_string(), rows: STEPS, skipped: 0 }),
+            ram: *ram,
+            scene: Some(Scene { outcome, image, stages }),
+            ..figure
+        })
     }
 
     fn own(&self, sizes: &mut Sizes) -> Result<Vec<Figure>> {
@@ -112,7 +158,17 @@ impl Measured<'_> {
         let Measured { board, scalar, opt, .. } = *self;
         let key = Key { board, by: OWN.to_owned(), operation: operation.to_owned(), scalar, opt };
         let Cost { instructions, stack } = cost;
-        Figure { key, instructions, spread: None, flash: size.flash, stack, ram: size.ram, error: None }
+        Figure {
+            key,
+            instructions,
+            spread: None,
+            flash: size.flash,
+            stack,
+            ram: size.ram,
+            error: None,
+            scene: None,
+            bound: None,
+        }
     }
 
     /// The median and the most stack of the table's rows in these modes, and how far they spread.

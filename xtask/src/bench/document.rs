@@ -1,7 +1,7 @@
 //! What of the documentation is made from the snapshot: tables between markers, and the chart.
 
 use super::snapshot::Snapshot;
-use super::{chart, markdown};
+use super::{chart, markdown, worlds};
 use crate::workspace;
 use anyhow::{Context, Result, bail};
 use std::path::{Path, PathBuf};
@@ -33,9 +33,16 @@ fn documents(snapshot: &Snapshot) -> Result<Vec<(PathBuf, String)>> {
     let cost = fill(&cost, "sizes", &markdown::sizes(snapshot))?;
     let cost = fill(&cost, "formats", &markdown::formats(snapshot, &readme)?)?;
     let cost = fill(&cost, "peers", &markdown::peers(snapshot))?;
+    let cost = fill(&cost, "world", &worlds::steps(snapshot))?;
+    let cost = fill(&cost, "stages", &worlds::stages(snapshot))?;
+    let cost = fill(&cost, "bound", &worlds::bounds(snapshot))?;
+    let cost = fill(&cost, "world sizes", &worlds::sizes(snapshot))?;
+    let cost = fill(&cost, "world peers", &worlds::peers(snapshot))?;
     let cost = fill(&cost, "compiler", &format!("Compiled by {}.\n", snapshot.rustc))?;
+    let short = fill(&readme, "cost", &markdown::short(snapshot))?;
+    let short = fill(&short, "world", &worlds::short(snapshot))?;
     Ok(vec![
-        (root.join("README.md"), fill(&readme, "cost", &markdown::short(snapshot))?),
+        (root.join("README.md"), short),
         (root.join("docs/cost.md"), cost),
         (root.join("docs/cost.svg"), chart::svg(snapshot)),
     ])

@@ -6,7 +6,7 @@ use crate::process;
 use crate::toolchain::Toolchain;
 use anyhow::{Context, Result, bail};
 use object::{Object, ObjectSection, SectionFlags, SectionKind, elf};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Bytes of memory.
@@ -56,9 +56,16 @@ impl Linker {
             None => lld.args(["--entry", "0"]),
         };
         process::run(lld.arg(&self.image).arg(&self.builtins))?;
-        let bytes = std::fs::read(&self.output)?;
+        Size::of(&self.output)
+    }
+}
+
+impl Size {
+    /// What a linked file takes.
+    pub fn of(path: &Path) -> Result<Self> {
+        let bytes = std::fs::read(path)?;
         let file = object::File::parse(&*bytes).context("the linker wrote no ELF file")?;
-        let mut size = Size::default();
+        let mut size = Self::default();
         for section in file.sections() {
             let SectionFlags::Elf { sh_flags, .. } = section.flags() else { continue };
             // Tables for unwinding are not linked into firmware.

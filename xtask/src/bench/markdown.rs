@@ -143,7 +143,8 @@ pub fn peers(snapshot: &Snapshot) -> String {
     table.render()
 }
 
-fn with_most(figure: &Figure) -> String {
+/// The most of many in brackets.
+pub fn with_most(figure: &Figure) -> String {
     let most = figure.spread.as_ref().map(|spread| format!(" ({})", grouped(spread.max)));
     grouped(figure.instructions) + &most.unwrap_or_default()
 }

@@ -1,5 +1,7 @@
 //! One run of the firmware on a board, and what it printed.
 
+use super::bound::{Sample, Work};
+use super::figures::Stages;
 use crate::boards::{Board, Scalar};
 use crate::qemu;
 use anyhow::{Context, Result, bail};
@@ -30,6 +32,11 @@ pub struct Found {
     pub results: Vec<(String, Words)>,
     /// Other libraries on the first impact.
     pub peers: Vec<Peer>,
+    pub scenes: Vec<Played>,
+    /// Steps to find a bound in.
+    pub samples: Vec<Sample>,
+    /// The stages of a step, scene by scene.
+    pub stages: Vec<(String, Stages)>,
 }
 
 /// The bits of v_a, w_a, v_b, w_b.
@@ -42,6 +49,23 @@ pub struct Peer {
     pub operation: String,
     pub cost: Cost,
     pub result: Words,
+}
+
+/// A scene that was played to its end.
+#[derive(Debug, PartialEq)]
+pub struct Played {
+    pub by: String,
+    pub name: String,
+    /// Of the last steps the mean; the most stack.
+    pub cost: Cost,
+    pub min: u32,
+    pub max: u32,
+    /// The step of the maximum.
+    pub worst: u32,
+    /// Bytes of the world.
+    pub ram: u32,
+    /// The bits of what came of it.
+    pub outcome: u32,
 }
 
 /// Runs the firmware in one number type over the input.
@@ -75,6 +99,29 @@ fn parse(text: &str) -> Result<Found> {
             (["peer", _, _], 14, Some(result)) => {
                 found.peers.push(Peer { name: name(1), operation: name(2), cost: cost(0), result });
             }
+            (["scene", _, _], 7, _) => found.scenes.push(Played {
+                by: name(1),
+                name: name(2),
+                cost: Cost { instructions: numbers[0], stack: numbers[4] },
+                min: numbers[1],
+                max: numbers[2],
+                worst: numbers[3],
+                ram: numbers[5],
+                outcome: numbers[6],
+            }),
+            (["stages", _], 6, _) => {
+                let &[broad, narrow, prepare, solve, integrate, keep] = &numbers[..] else {
+                    unreachable!("there are six")
+                };
+                found.stages.push((name(1), Stages { broad, narrow, prepare, solve, integrate, keep }));
+            }
+            (["bound", _, _], 5, _) => {
+                let &[sub_steps, bodies, pairs, points, instructions] = &numbers[..] else {
+                    unreachable!("there are five")
+                };
+                let work = Work { sub_steps, bodies, pairs, points };
+                found.samples.push(Sample { kind: name(1), scene: name(2), work, instructions });
+            }
             (["row"], 5, _) => found.rows.push(Some([cost(1), cost(3)])),
             (["skip"], 1, _) => found.rows.push(None),
             _ => bail!("`{line}` is nothing that is expected"),
@@ -94,6 +141,11 @@ mod tests {
         assert_eq!(found.operations, [("dot".to_owned(), Cost { instructions: 28, stack: 32 })]);
         assert_eq!(found.rows[0], None);
         assert_eq!(found.rows[1], Some([(2, 3), (4, 5)].map(|(instructions, stack)| Cost { instructions, stack })));
+        let found = parse("scene x spheres_8 1 2 3 4 5 6 7\nstages spheres_8 1 2 3 4 5 6\n").expect("it is right");
+        let cost = Cost { instructions: 1, stack: 5 };
+        let (by, name) = ("x".to_owned(), "spheres_8".to_owned());
+        assert_eq!(found.scenes, [Played { by, name, cost, min: 2, max: 3, worst: 4, ram: 6, outcome: 7 }]);
+        assert_eq!(found.stages[0].1.all(), [1, 2, 3, 4, 5, 6]);
         assert!(parse("row 1 2 3").is_err());
         assert!(parse("row 1 2 3 4 x").is_err());
     }

@@ -11,13 +11,17 @@ type Velocities = [f64; 12];
 
 /// The largest error of a component, in m/s or rad/s, to two digits.
 pub fn error(truth: &Velocities, words: &Words, scalar: Scalar) -> f64 {
-    let value = |word: u32| match scalar.fraction_bits() {
-        Some(bits) => f64::from(word.cast_signed()) / f64::from(bits).exp2(),
-        None => f64::from(f32::from_bits(word)),
-    };
-    let errors = truth.iter().zip(words).map(|(truth, &word)| (value(word) - truth).abs());
+    let errors = truth.iter().zip(words).map(|(truth, &word)| (value(word, scalar) - truth).abs());
     let largest = errors.fold(0.0, f64::max);
     format!("{largest:.1e}").parse().unwrap_or(f64::NAN)
+}
+
+/// The number with these bits.
+pub fn value(word: u32, scalar: Scalar) -> f64 {
+    match scalar.fraction_bits() {
+        Some(bits) => f64::from(word.cast_signed()) / f64::from(bits).exp2(),
+        None => f64::from(f32::from_bits(word)),
+    }
 }
 
 /// Without friction.
