@@ -5,8 +5,8 @@ use crate::process;
 use crate::setup;
 use anyhow::Result;
 
-/// Runs clippy on the library and the examples, for every number type, and on the benchmark's firmware; a warning is an
-/// error.
+/// Runs clippy on the library and the examples, for every number type, and on the firmware of the benchmark; a warning is
+/// an error.
 pub fn run(yes: bool) -> Result<()> {
     let toolchain = setup::ensure_clippy(yes)?;
     for target in SAMPLE_TARGETS {
@@ -18,8 +18,8 @@ pub fn run(yes: bool) -> Result<()> {
         }
         println!("clippy: {target} benches");
         let mut cargo = toolchain.cargo("clippy", target);
-        cargo.args(["--quiet", "--package", "carom-bench", "--all-features", "--", "-D", "warnings"]);
-        process::run(&mut cargo)?;
+        cargo.args(["--quiet", "--package", "carom-bench", "--package", "carom-bench-world", "--all-features"]);
+        process::run(cargo.args(["--", "-D", "warnings"]))?;
     }
     Ok(())
 }
