@@ -117,8 +117,9 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
     fn note_before(&mut self) {
         self.before.clear();
         for entry in &self.contacts {
-            // As many as there is room for in the other table.
-            let _ = self.before.push(entry.key);
+            // As many as there is room for in the other table. Field by field, or opt-level z calls `memmove` for each.
+            let Key { a, b, part, first, points, touching } = entry.key;
+            let _ = self.before.push(Key { a, b, part, first, points, touching });
         }
         self.contacts.clear();
     }
