@@ -117,8 +117,9 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
     fn note_before(&mut self) {
         self.before.clear();
         for entry in &self.contacts {
-            // As many as there is room for in the other table.
-            let _ = self.before.push(entry.key);
+            // As many as there is room for in the other table. Field by field, or opt-level z calls `memmove` for each.
+            let Key { a, b, part, first, points, touching } = entry.key;
+            let _ = self.before.push(Key { a, b, part, first, points, touching });
         }
         self.contacts.clear();
     }
@@ -245,14 +246,27 @@ fn keep_impulses<S: Scalar>(warm: &mut [WarmStart<S>], contacts: &mut [Entry<S>]
         let first = usize::from(entry.key.first);
         entry.key.first = free as u16;
         for offset in 0..usize::from(entry.key.points) {
-            let Some(&kept) = warm.get(first.wrapping_add(offset)) else { continue };
-            if let Some(place) = warm.get_mut(free) {
-                *place = kept;
+            if shift(warm, first.wrapping_add(offset), free) {
+                free = free.wrapping_add(1);
             }
-            free = free.wrapping_add(1);
         }
     }
     free
+}
+
+/// Moves one of them to a place before it; whether there is one.
+fn shift<S: Scalar>(warm: &mut [WarmStart<S>], from: usize, to: usize) -> bool {
+    let Some((front, [kept, ..])) = warm.split_at_mut_checked(from) else { return false };
+    if let Some(place) = front.get_mut(to) {
+        copy(place, kept);
+    }
+    true
+}
+
+/// By references that do not overlap: else a copy is a call of `memmove`, which links 1.5 KB.
+#[inline(never)]
+fn copy<S: Scalar>(to: &mut WarmStart<S>, from: &WarmStart<S>) {
+    *to = *from;
 }
 
 /// Few bodies are driven: not in the frame of the step.
