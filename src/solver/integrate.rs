@@ -61,6 +61,7 @@ pub(super) fn integrate_position<S: Scalar>(
 }
 
 /// Where the body is after the step, and its velocities; whether one met the end of its range.
+#[inline(never)]
 pub(super) fn store<S: Scalar>(
     body: &mut Body<S>,
     motion: &Motion<S>,

@@ -240,6 +240,7 @@ impl<'a, S: Scalar> Step<'a, S> {
         (self.constraints, self.report)
     }
 
+    /// Its stages have frames of their own, and share the stack.
     fn sub_step(&mut self, first: bool) {
         self.constraints.note_approaches(first);
         self.constraints.integrate_velocities(&self.settings);
@@ -276,6 +277,7 @@ impl<S: Scalar> Constraints<'_, S> {
         }
     }
 
+    #[inline(never)]
     fn integrate_positions(&mut self, settings: &Settings<S>) {
         let mut motions = self.buffers.motions.iter_mut();
         for body in self.bodies.iter_mut() {
@@ -310,6 +312,7 @@ impl<S: Scalar> Constraints<'_, S> {
         }
     }
 
+    #[inline(never)]
     fn warm_start(&mut self) {
         let Buffers { motions, manifolds, points } = &mut self.buffers;
         for manifold in manifolds.iter().take(self.manifolds) {
@@ -321,6 +324,7 @@ impl<S: Scalar> Constraints<'_, S> {
         }
     }
 
+    #[inline(never)]
     fn solve(&mut self, settings: &Settings<S>) {
         let push_out_speed = S::Step::lift(settings.push_out_speed, S::Step::NO_REST, self.places);
         let Buffers { motions, manifolds, points } = &mut self.buffers;
@@ -338,6 +342,7 @@ impl<S: Scalar> Constraints<'_, S> {
         }
     }
 
+    #[inline(never)]
     fn relax(&mut self) {
         let Buffers { motions, manifolds, points } = &mut self.buffers;
         for manifold in manifolds.iter().take(self.manifolds) {
@@ -371,6 +376,7 @@ impl<S: Scalar> Constraints<'_, S> {
         }
     }
 
+    #[inline(never)]
     fn apply_restitution(&mut self) {
         if !self.bounces {
             return;
