@@ -32,8 +32,8 @@ impl<S: Scalar> PointConstraint<S> {
         pair.push(&tangents[0], &self.tangents[0], after[0].minus(before_x));
         pair.push(&tangents[1], &self.tangents[1], after[1].minus(before_y));
     }
-    /// Where a blow is over, its friction is, too: what is left of it goes into the disc again, or it would shift the bodies
-    /// for a sub-step.
+    /// Where a hard blow is over, its friction is, too: what is left of it goes into the disc again, or it would shift the
+    /// bodies for a sub-step, at the friction's part of the blow's speed.
     #[cold]
     #[inline(never)]
     pub(super) fn let_go(&mut self, pair: &mut Pair<'_, S>, tangents: &[Vec3<S::Unit>; 2]) {

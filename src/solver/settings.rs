@@ -15,7 +15,8 @@ pub struct Settings<S: Scalar> {
     /// The acceleration of free fall, m/s^2.
     pub gravity: Vec3<S>,
     /// The speed at which bodies that overlap are pushed apart, at most, m/s: 4 at first, in whatever units. About the highest
-    /// speed of the scene suits; see [`with_push_out_speed`](Self::with_push_out_speed).
+    /// speed of the scene suits; see [`with_push_out_speed`](Self::with_push_out_speed). Blows that are harder let go of their
+    /// friction before positions change.
     pub push_out_speed: S,
     /// Between bodies that both move.
     pub soft: Softness<S>,

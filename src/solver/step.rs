@@ -335,7 +335,8 @@ impl<S: Scalar> Constraints<'_, S> {
             for point in points {
                 let before = point.impulse[0];
                 point.solve_normal(&mut pair, &manifold.normal, softness, push_out_speed);
-                if point.impulse[0] < S::Step::half(before) {
+                let blow = before > push_out_speed;
+                if blow && point.impulse[0] < S::Step::half(before) {
                     point.let_go(&mut pair, &manifold.tangents);
                 }
             }
