@@ -22,6 +22,9 @@ use patch::{Patches, Sink};
 const RIDGE: u32 = 8;
 /// The edge of a ridge pushes where a triangle does not, and this power of two beyond: rather twice than not at all.
 const BEYOND: u32 = 12;
+/// How deep a point may be behind a face before it is asked whether that is its way out, as a power of two of the spacing:
+/// no wall is as thin, but for its crest.
+const SHALLOW: u32 = 4;
 
 /// A shape that meets a surface: some points with a radius around them, and what is closest to an edge.
 pub(super) trait OverSurface<S: Scalar>: Shape<S> {
@@ -111,6 +114,44 @@ impl<S: Scalar> Gather<S> for Option<Touch<S>> {
     }
 }
 
+/// The triangles of the cells that are that near a place, seen from above.
+struct Triangles<'a, S: Scalar> {
+    field: &'a HeightField<'a, S>,
+    columns: [i32; 2],
+    last_row: i32,
+    /// The one that comes next.
+    next: (i32, i32, bool),
+}
+
+impl<'a, S: Scalar> Triangles<'a, S> {
+    fn around(field: &'a HeightField<'a, S>, place: Vec3<S>, distance: S) -> Self {
+        let columns = field.cells(false, place.x.minus(distance), place.x.plus(distance));
+        let [first_row, last_row] = field.cells(true, place.y.minus(distance), place.y.plus(distance));
+        Self { field, columns, last_row, next: (columns[0], first_row, false) }
+    }
+}
+
+impl<S: Scalar> Iterator for Triangles<'_, S> {
+    type Item = Triangle<S>;
+
+    fn next(&mut self) -> Option<Triangle<S>> {
+        loop {
+            let (column, row, above) = self.next;
+            if row > self.last_row {
+                return None;
+            }
+            self.next = match above {
+                false => (column, row, true),
+                true if column < self.columns[1] => (column.wrapping_add(1), row, false),
+                true => (self.columns[0], row.wrapping_add(1), false),
+            };
+            if let Some(triangle) = self.field.triangle(column, row, above) {
+                return Some(triangle);
+            }
+        }
+    }
+}
+
 /// A side of a triangle, counter-clockwise: its ends, and what is beyond.
 struct Side<S: Scalar> {
     ends: [Vec3<S>; 2],
@@ -165,10 +206,34 @@ impl<'a, S: Scalar, T: OverSurface<S>> Over<'a, S, T> {
             return;
         }
         let foot = point - Vec3::of_length(height, triangle.normal);
-        if triangle.is_below(foot) {
+        if triangle.is_below(foot) && self.is_way_out(triangle, point, height) {
             let middle = foot + Vec3::of_length(separation.lowered_by(1), triangle.normal);
             gather.add(&Touch { normal: triangle.normal, middle, separation, feature: u16::from(index) });
         }
+    }
+
+    /// Whether the face pushes a point that is behind it: not one in the open, on the other side of a wall, nor one to which
+    /// a face is nearer that pushes the other way.
+    #[inline(always)]
+    fn is_way_out(&self, triangle: &Triangle<S>, point: Vec3<S>, height: S) -> bool {
+        height >= self.field.spacing().lowered_by(SHALLOW).negated() || self.is_deep_way_out(triangle, point, height)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn is_deep_way_out(&self, triangle: &Triangle<S>, point: Vec3<S>, height: S) -> bool {
+        let triangles = |depth| Triangles::around(self.field, point, depth);
+        let above = triangles(S::ZERO).find(|other| other.is_below(point));
+        if above.is_none_or(|surface| surface.height(point) >= S::ZERO) {
+            return false;
+        }
+        !triangles(height.negated()).any(|other| {
+            let nearer = other.height(point);
+            nearer > height
+                && nearer < S::ZERO
+                && other.normal.dot(triangle.normal) < S::Unit::ZERO
+                && other.is_below(point - Vec3::of_length(nearer, other.normal))
+        })
     }
 
     /// The edge pushes if it is a ridge or the field ends there; of the two triangles at a ridge, the first one asks.
