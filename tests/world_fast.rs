@@ -26,6 +26,8 @@ each_number!(
     gliding_past_an_edge,
     a_tumbling_box_passes_or_hits,
     a_flipper_hits,
+    a_struck_wall_is_a_wall,
+    boxes_hit_cubes,
 );
 
 type Point = [f64; 3];
@@ -220,4 +222,60 @@ fn a_flipper_hits<S: HostScalar>(name: &str) {
         let [_, y, _] = velocity(&stage, ball);
         assert!(y > 1.0, "{name}: {place}: {y}");
     }
+}
+
+/// A wall that was struck before lets others pass as it did.
+fn a_struck_wall_is_a_wall<S: HostScalar>(name: &str) {
+    for from in 0..34 {
+        let mut stage = Stage::<S>::weightless(0.0, 1.0);
+        stage.insert(Body::immovable().at(vector([1.0, 0.0, 0.0])), Shape::Cuboid([0.005, 0.05, 0.05]));
+        let first = stage.solid(0.01, Shape::Sphere(0.005), [0.7, 0.0, 0.0]);
+        set_off(&mut stage, first, [20.0, 0.0, 0.0]);
+        stage.run(0.1);
+        assert!(velocity(&stage, first)[0] < -19.0, "{name}: it strikes");
+        let second = stage.solid(0.01, Shape::Sphere(0.005), [0.3 + 0.01 * f64::from(from), 0.155, 0.0]);
+        set_off(&mut stage, second, [20.0, 0.0, 0.0]);
+        stage.run(0.1);
+        let [x, ..] = velocity(&stage, second);
+        assert!((x - 20.0).abs() < 0.01, "{name}: from {from} cm it bounces off the air: {x}");
+    }
+}
+
+/// Boxes that do not turn, and a cube: where two boxes along the axes meet, and when, is a sum of edges.
+fn boxes_hit_cubes<S: HostScalar>(name: &str) {
+    let mut random = Random::new(15);
+    let (mut hits, mut misses) = (0, 0);
+    for case in 0..2000 {
+        let half = [0; 3].map(|_| random.between(0.01, 0.03));
+        let cube = [0; 3].map(|_| random.between(0.04, 0.2));
+        let target = random_point(&mut random, 0.3);
+        let direction = random_point(&mut random, 1.0);
+        let speed = random.between(5.0, 25.0) / length(direction);
+        let v = direction.map(|x| x * speed);
+        let back = random.between(0.5, 1.0) / length(v);
+        let start = minus(target, v.map(|x| x * back));
+        let apart = |t: f64| {
+            let gaps = [0, 1, 2].map(|i| (start[i] + v[i] * t).abs() - half[i] - cube[i]);
+            gaps.iter().fold(f64::MIN, |a, b| a.max(*b))
+        };
+        let nearest = (0..=4000).map(|i| apart(2.0 * back * f64::from(i) / 4000.0)).fold(f64::MAX, f64::min);
+        // What is hit by a part of its size at least, or missed.
+        if apart(0.0) < 0.02 || (-0.02..0.005).contains(&nearest) {
+            continue;
+        }
+        let mut stage = Stage::<S>::weightless(0.0, 0.0);
+        stage.insert(Body::immovable(), Shape::Cuboid(cube));
+        let body = stage.solid(0.01, Shape::Cuboid(half), start);
+        set_off(&mut stage, body, v);
+        stage.run(2.0 * back);
+        let change = length(minus(velocity(&stage, body), v)) / length(v);
+        if nearest < 0.0 {
+            hits += 1;
+            assert!(change > 1e-3, "{name}: case {case} went through, {nearest} deep");
+        } else {
+            misses += 1;
+            assert!(change < 1e-3, "{name}: case {case} bounced off the air, {nearest} beside it");
+        }
+    }
+    assert!(hits > 200 && misses > 200, "{name}: {hits} hits, {misses} misses");
 }

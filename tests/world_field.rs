@@ -19,7 +19,7 @@ use scene::{Shape, floats, number, solid, vector};
 
 carom::shapes! { enum Piece<'a, S> { Sphere, Cuboid, Field (HeightField<'a, S>) } }
 
-each_number!(walls_hold_marbles, walls_hold_boxes);
+each_number!(walls_hold_marbles, walls_hold_boxes, ridges_stop_what_is_fast);
 
 /// Points of the grid along a side.
 const SIDE: usize = 17;
@@ -77,5 +77,29 @@ fn walls_hold_boxes<S: HostScalar>(name: &str) {
     for walls in [[0.15, 0.1, 0.03], [0.3, 0.1, 0.03]] {
         let out: Vec<_> = (0..10).filter(|seed| !is_held::<S>(walls, Shape::Cuboid([walls[2]; 3]), *seed)).collect();
         assert!(out.is_empty(), "{name}: it left the mazes {out:?} with walls {walls:?}");
+    }
+}
+
+/// A marble that flies low over flat ground strikes the ridge across its way, wherever its steps begin.
+fn ridges_stop_what_is_fast<S: HostScalar>(name: &str) {
+    let ridge = SIDE - 4;
+    let heights: Vec<S> = (0..SIDE * SIDE).map(|n| number(if n % SIDE == ridge { 0.1 } else { 0.0 })).collect();
+    for from in 0..40 {
+        for speed in [10.0, 30.0] {
+            let field = HeightField::new(&heights, SIDE as u16, SIDE as u16, number(0.1)).expect("a field");
+            let material = Material::new(S::ZERO, number(0.1)).expect("a material");
+            let mut world = World::<S, Piece<S>, 2, 32, 64>::new();
+            world.insert(Body::immovable(), field, material).expect("room");
+            let mut ball = Body::dynamic(solid(0.05, Shape::Sphere(0.02)));
+            ball.position = vector([-0.7 + 0.015 * f64::from(from), 0.03, 0.05]);
+            ball.linear_velocity = vector([speed, 0.0, 0.0]);
+            let ball = world.insert(ball, Sphere::new(number(0.02)).expect("a ball"), material).expect("room");
+            let settings = Settings::<S>::new(vector([0.0; 3]), [1, 60], 4).expect("settings");
+            for _ in 0..(1.6 / speed * 60.0) as usize {
+                world.step(&settings);
+            }
+            let [x, _, up] = floats(world.body(ball).expect("a body").linear_velocity);
+            assert!(up > 0.1 * speed || x < 0.1 * speed, "{name}: from {from} at {speed} it goes on at {x}, {up} up");
+        }
     }
 }

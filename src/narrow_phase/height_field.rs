@@ -8,7 +8,7 @@
 use super::Placed;
 use super::polytope::Polytope;
 use super::segment::Segment;
-use crate::math::{Pose, UnitVec3, Vec3};
+use crate::math::{Pose, UnitVec3, Vec3, min};
 use crate::scalar::Scalar;
 use crate::shape::{Closest, HeightField, ManifoldSink, Shape, Triangle};
 
@@ -25,6 +25,8 @@ const BEYOND: u32 = 12;
 /// How deep a point may be behind a face before it is asked whether that is its way out, as a power of two of the spacing:
 /// no wall is as thin, but for its crest.
 const SHALLOW: u32 = 4;
+/// How far a nearer way out is looked for, in spacings.
+const WALL: i32 = 4;
 
 /// A shape that meets a surface: some points with a radius around them, and what is closest to an edge.
 pub(super) trait OverSurface<S: Scalar>: Shape<S> {
@@ -223,11 +225,12 @@ impl<'a, S: Scalar, T: OverSurface<S>> Over<'a, S, T> {
     #[inline(never)]
     fn is_deep_way_out(&self, triangle: &Triangle<S>, point: Vec3<S>, height: S) -> bool {
         let triangles = |depth| Triangles::around(self.field, point, depth);
-        let above = triangles(S::ZERO).find(|other| other.is_below(point));
+        let spacing = self.field.spacing();
+        let above = triangles(spacing.lowered_by(SHALLOW)).find(|other| other.is_below(point));
         if above.is_none_or(|surface| surface.height(point) >= S::ZERO) {
             return false;
         }
-        !triangles(height.negated()).any(|other| {
+        !triangles(min(height.negated(), spacing.times_integer(WALL))).any(|other| {
             let nearer = other.height(point);
             nearer > height
                 && nearer < S::ZERO

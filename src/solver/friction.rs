@@ -28,10 +28,9 @@ impl<S: Scalar> PointConstraint<S> {
                 after = S::Step::shortened(after, limit);
             }
         }
-        self.impulse = [self.impulse[0], after[0], after[1]];
-        pair.push(&tangents[0], &self.tangents[0], after[0].minus(before_x));
-        pair.push(&tangents[1], &self.tangents[1], after[1].minus(before_y));
+        self.rub(pair, tangents, after);
     }
+
     /// Where a hard blow is over, its friction is, too: what is left of it goes into the disc again, or it would shift the
     /// bodies for a sub-step, at the friction's part of the blow's speed.
     #[cold]

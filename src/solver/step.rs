@@ -253,7 +253,8 @@ impl<'a, S: Scalar> Step<'a, S> {
     }
 }
 
-/// No less than the speed of the surface of a body that the caller turns, where others may touch it.
+/// The speed of the surface of a body that the caller turns, as far out as the centre of any body that may touch it. (A body far
+/// away costs precision, for as long as that turns.)
 #[cold]
 #[inline(never)]
 fn surface_speed<S: Scalar>(turned: &Body<S>, bodies: &[Body<S>]) -> S {

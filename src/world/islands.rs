@@ -3,9 +3,8 @@
 //! A body is still while it is slower than an eighth of its size a second and does not gain speed: what tips over an edge gains,
 //! however slow it is. An island sleeps when all of it has been still for half a second and none of it lies on a driven body.
 
-use super::contacts::Entry;
+use super::contacts::{Entry, Kind};
 use super::slot::Slot;
-
 use super::{PLACES, World};
 use crate::body::Body;
 use crate::math::max;
@@ -61,7 +60,7 @@ impl<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: u
 
     /// What lies on a driven body goes along with it, however slowly.
     fn keep_carried_awake(&mut self) {
-        for Entry { key, .. } in self.contacts.iter().filter(|entry| entry.key.touching) {
+        for Entry { key, .. } in self.contacts.iter().filter(|entry| entry.key.touching && entry.kind == Kind::Solved) {
             let driven = |index: u16| self.slots.get(usize::from(index)).is_some_and(Slot::is_driven);
             let carried = match (driven(key.a), driven(key.b)) {
                 (true, false) => key.b,

@@ -106,7 +106,8 @@ impl<'w, S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> Meeting<'w, '_, 
         let (slot_a, slot_b) = (self.slots.get(i)?, self.slots.get(j)?);
         let aside = min(slot_a.aside, slot_b.aside);
         let swing = slot_a.swing.plus(slot_b.swing);
-        let mut way = Way::new([velocity(i)?, velocity(j)?], self.dt, near(size).plus(swing));
+        let exact = slot_a.ball || slot_b.ball;
+        let mut way = Way::new([velocity(i)?, velocity(j)?], self.dt, [near(size).plus(swing), size], exact);
         let margin = near(size).plus(reach);
         let (mut found, mut looks) = (Found::Way, LOOKS);
         while found == Found::Way && looks > 0 {
@@ -123,7 +124,9 @@ impl<'w, S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> Meeting<'w, '_, 
             if found == Found::Way || found == Found::Touch && way.blow() > size {
                 for i in [i, j] {
                     let slot = self.slots.get_mut(i)?;
-                    slot.aside = min(slot.aside, way.at());
+                    if slot.is_awake() {
+                        slot.aside = min(slot.aside, way.at());
+                    }
                 }
             }
             return None;
@@ -180,7 +183,7 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> ManifoldSink<S> for 
             self.sensed |= self.manifold.points().iter().any(|point| point.separation <= S::ZERO);
             return;
         }
-        if self.way.as_mut().is_some_and(|way| !way.take(self.manifold)) {
+        if self.way.as_mut().is_some_and(|way| !way.take(self.manifold, part)) {
             return;
         }
         let former = self.former(part);

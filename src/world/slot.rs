@@ -39,6 +39,8 @@ pub(super) struct Slot<S: Scalar> {
     pub reach: S,
     /// The size of the shape: tolerances are relative to it.
     pub size: S,
+    /// It is as far from its centre to its surface everywhere.
+    pub ball: bool,
     /// How much of that its turning may bring.
     pub swing: S,
     /// The part of the step after which something turns it aside from its way.
@@ -58,6 +60,7 @@ impl<S: Scalar> Slot<S> {
         fastest: S::ZERO,
         reach: S::ZERO,
         size: S::ZERO,
+        ball: false,
         swing: S::ZERO,
         aside: S::Unit::ZERO,
     };

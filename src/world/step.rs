@@ -94,7 +94,7 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
                 slot.touched = false;
                 match slot.state {
                     State::Vacant => *bounds = Aabb::NOTHING,
-                    State::Quarantined => (*bounds, slot.touched) = (Aabb::NOTHING, true),
+                    State::Quarantined => (*bounds, slot.touched, slot.reach) = (Aabb::NOTHING, true, S::ZERO),
                     _ => place_body(slot, body, shape, dt, pose, bounds),
                 }
             }
@@ -298,12 +298,13 @@ fn place_body<S: Scalar, Sh: Shape<S>>(
     pose.rotation = body.orientation().to_mat3();
     let tight = shape.aabb(pose);
     (slot.reach, slot.swing, slot.aside) = (S::ZERO, S::ZERO, S::Unit::ONE);
+    let outer = shape.outer_radius();
+    slot.ball = outer == slot.size && outer < S::LARGEST;
     if slot.is_active() {
         // No turn brings the surface farther out than the ball around the shape: that of a ball nowhere.
-        let (outer, most) = (shape.outer_radius(), shape.outer_radius().minus(slot.size));
         let mut swing = S::ZERO;
-        if most != S::ZERO {
-            swing = min(body.angular_velocity.taxicab().times_unit(dt).times(outer), most);
+        if outer != slot.size {
+            swing = min(body.angular_velocity.taxicab().times_unit(dt).times(outer), outer.minus(slot.size));
         }
         let way = body.linear_velocity.taxicab().times_unit(dt).plus(swing);
         // Slower ones may sink in by as much, and are pushed out.

@@ -8,8 +8,10 @@ use crate::manifold::Manifold;
 use crate::math::{Pose, Vec3, max, min};
 use crate::scalar::Scalar;
 
-/// Looks on the way, at most. Two convex shapes mostly take two or three.
-pub(super) const LOOKS: u8 = 12;
+/// Looks on the way, at most. A ball and another convex shape mostly take two or three.
+pub(super) const LOOKS: u8 = 16;
+/// Strides on the way, at most, as a power of two.
+const STRIDES: u32 = 3;
 
 /// How the second body of a pair goes as the first one sees it, and how far along that the shapes are looked at.
 pub(super) struct Way<S: Scalar> {
@@ -18,6 +20,10 @@ pub(super) struct Way<S: Scalar> {
     relative: Vec3<S>,
     /// Nearer surfaces touch.
     near: S,
+    /// No farther at a time, where manifolds do not tell how near all of the surfaces are: of polytopes they are cut to what
+    /// lies over a face, and of height fields they have what is right below.
+    stride: S::Unit,
+    exact: bool,
     /// The part of the step after which they are looked at.
     at: S::Unit,
     /// Nothing is made of manifolds but what follows.
@@ -30,12 +36,18 @@ pub(super) struct Way<S: Scalar> {
 }
 
 impl<S: Scalar> Way<S> {
-    pub fn new(velocities: [Vec3<S>; 2], dt: S::Unit, near: S) -> Self {
+    /// For surfaces that touch where they are `near`, of shapes of that size. `exact`: one is a ball.
+    pub fn new(velocities: [Vec3<S>; 2], dt: S::Unit, [near, size]: [S; 2], exact: bool) -> Self {
         let [a, b] = velocities.map(|v| part(v, dt));
+        let relative = b - a;
+        let length = relative.taxicab();
+        let stride = if size < length { S::fraction(size, length) } else { S::Unit::ONE };
         Self {
             way: [a, b],
-            relative: b - a,
+            relative,
             near: near.plus(S::STEP),
+            stride: max(stride, S::Unit::ONE.lowered_by(STRIDES)),
+            exact,
             at: S::Unit::ZERO,
             seeking: true,
             touches: false,
@@ -60,8 +72,11 @@ impl<S: Scalar> Way<S> {
         if self.touches {
             return Found::Touch;
         }
-        let Some(free) = self.free else { return Found::Nothing };
-        self.at = self.at.plus(free);
+        self.at = match self.free {
+            Some(free) if self.exact => self.at.plus(free),
+            None if self.exact => return Found::Nothing,
+            free => self.at.plus(free.map_or(self.stride, |free| min(free, self.stride))),
+        };
         if self.at >= S::Unit::ONE { Found::Nothing } else { Found::Way }
     }
 
@@ -84,7 +99,7 @@ impl<S: Scalar> Way<S> {
     }
 
     /// Notes a manifold, and turns one that is made ahead into one at the start of the step. False: there is no contact.
-    pub fn take(&mut self, manifold: &mut Manifold<S>) -> bool {
+    pub fn take(&mut self, manifold: &mut Manifold<S>, part: u32) -> bool {
         let closing = self.relative.along(manifold.normal.get()).negated();
         let mut separation = S::LARGEST;
         for point in manifold.points() {
@@ -92,6 +107,7 @@ impl<S: Scalar> Way<S> {
         }
         let (touches, closes) = (separation <= self.near, closing > S::ZERO);
         if self.seeking {
+            self.exact &= part == 0;
             if touches && (closes || self.at == S::Unit::ZERO) {
                 self.touches = true;
                 self.closing = max(self.closing, closing);
