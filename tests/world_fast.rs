@@ -67,7 +67,7 @@ fn velocity<S: HostScalar>(stage: &Stage<S>, body: BodyHandle) -> Point {
 }
 
 /// A ball of 2 cm that goes by up to half a metre a step, and a box that lies somewhere near its way: it keeps its velocity
-/// where it passes, and where it strikes it bounces off, and never is in the box by more than a part of its size.
+/// where it passes, and where it strikes it bounces off, and never is in the box by more than half its radius and a bit.
 fn a_box_is_hit_where_it_is<S: HostScalar>(name: &str) {
     let mut random = Random::new(11);
     let (mut hits, mut misses) = (0, 0);
@@ -100,7 +100,7 @@ fn a_box_is_hit_where_it_is<S: HostScalar>(name: &str) {
         for _ in 0..(2.0 * back * 60.0).ceil() as usize {
             stage.step();
             let depth = radius - distance(half, unrotated(turn, stage.position(ball)));
-            assert!(depth < 0.7 * radius, "{name}: {depth} deep in case {case}");
+            assert!(depth < 0.55 * radius, "{name}: {depth} deep in case {case}");
         }
         let change = length(minus(velocity(&stage, ball), v)) / length(v);
         if nearest < radius {
@@ -211,16 +211,18 @@ fn a_tumbling_box_passes_or_hits<S: HostScalar>(name: &str) {
     }
 }
 
-/// A rod that the caller turns fast strikes what lies in its sweep.
+/// A rod that the caller turns fast strikes what lies in its sweep: at e = 0.5 a ball leaves at one and a half times the speed
+/// of its surface there. (Later it may catch up with it.)
 fn a_flipper_hits<S: HostScalar>(name: &str) {
     for place in 3..10 {
         let mut stage = Stage::<S>::weightless(0.1, 0.5);
         let rod = stage.insert(Body::immovable(), Shape::Cuboid([0.5, 0.02, 0.02]));
-        let ball = stage.solid(0.01, Shape::Sphere(0.02), [0.05 * f64::from(place), 0.08, 0.0]);
+        let arm = 0.05 * f64::from(place);
+        let ball = stage.solid(0.01, Shape::Sphere(0.02), [arm, 0.08, 0.0]);
         stage.world.body_mut(rod).expect("a body").angular_velocity = vector([0.0, 0.0, 20.0]);
-        stage.run(0.1);
+        stage.step();
         let [_, y, _] = velocity(&stage, ball);
-        assert!(y > 1.0, "{name}: {place}: {y}");
+        assert!((y / (1.5 * 20.0 * arm) - 1.0).abs() < 0.01, "{name}: at {arm} it leaves at {y}");
     }
 }
 

@@ -37,7 +37,7 @@ fn maze<S: HostScalar>(wall: f64, random: &mut Random) -> Vec<S> {
     (0..SIDE * SIDE).map(|n| number(if is_wall(n % SIDE, n / SIDE, random) { wall } else { 0.0 })).collect()
 }
 
-/// Half a minute on a table that tilts to and fro. No speed up the walls is more than that of what rolled down there.
+/// Half a minute on a table that tilts to and fro by a tenth of gravity: what rolls there runs up a wall at 0.55 m/s at most.
 fn is_held<S: HostScalar>([wall, spacing, size]: Walls, shape: Shape, seed: u64) -> bool {
     let mut random = Random::new(seed);
     let heights = maze::<S>(wall, &mut random);
@@ -59,7 +59,7 @@ fn is_held<S: HostScalar>([wall, spacing, size]: Walls, shape: Shape, seed: u64)
         world.step(&settings);
         let body = world.body(body).expect("a body");
         let ([_, _, height], [_, _, up]) = (floats(body.position), floats(body.linear_velocity));
-        if height < 0.0 || height > wall + size || up > 1.0 {
+        if height < 0.0 || height > wall + size || up > 0.6 {
             return false;
         }
     }
@@ -80,7 +80,8 @@ fn walls_hold_boxes<S: HostScalar>(name: &str) {
     }
 }
 
-/// A marble that flies low over flat ground strikes the ridge across its way, wherever its steps begin.
+/// A marble that flies low over flat ground strikes the ridge across its way, wherever its steps begin: along a slope of 45
+/// degrees it goes on at half of its speed in either direction, less the friction of the blow.
 fn ridges_stop_what_is_fast<S: HostScalar>(name: &str) {
     let ridge = SIDE - 4;
     let heights: Vec<S> = (0..SIDE * SIDE).map(|n| number(if n % SIDE == ridge { 0.1 } else { 0.0 })).collect();
@@ -99,7 +100,9 @@ fn ridges_stop_what_is_fast<S: HostScalar>(name: &str) {
                 world.step(&settings);
             }
             let [x, _, up] = floats(world.body(ball).expect("a body").linear_velocity);
-            assert!(up > 0.1 * speed || x < 0.1 * speed, "{name}: from {from} at {speed} it goes on at {x}, {up} up");
+            let right = 0.5 * (1.0 - 0.1) * speed;
+            let off = (x - right).abs().max((up - right).abs());
+            assert!(off < 0.01 * speed, "{name}: from {from} at {speed} it goes on at {x}, {up} up");
         }
     }
 }

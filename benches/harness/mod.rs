@@ -12,8 +12,10 @@ pub mod arena;
 mod call;
 pub mod counter;
 pub mod input;
+mod run;
 pub mod scene;
 pub mod stack;
 
 pub use call::Call;
 pub(crate) use call::call;
+pub use run::run;

@@ -24,13 +24,7 @@ board::entry!(run);
 
 #[cfg(target_os = "none")]
 fn run() -> board::Exit {
-    match harness::counter::start().then(measure::run).unwrap_or(Err("the counter does not count exactly")) {
-        Ok(()) => board::Exit::Success,
-        Err(problem) => {
-            board::println!("error {problem}");
-            board::Exit::Failure
-        }
-    }
+    harness::run(measure::run)
 }
 
 /// Only boards are measured.

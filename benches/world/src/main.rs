@@ -27,13 +27,7 @@ board::entry!(run);
 
 #[cfg(target_os = "none")]
 fn run() -> board::Exit {
-    match harness::counter::start().then(kernels::run).unwrap_or(Err("the counter does not count exactly")) {
-        Ok(()) => board::Exit::Success,
-        Err(problem) => {
-            board::println!("error {problem}");
-            board::Exit::Failure
-        }
-    }
+    harness::run(kernels::run)
 }
 
 /// Only boards are measured.
