@@ -8,12 +8,15 @@ mod board;
 mod numbers;
 mod picture;
 mod scenes;
+mod trace;
 
 use board::Exit;
 use numbers::{Job, Number};
 use picture::{Picture, verdict};
-use scenes::billiards::{BALLS, Billiards, HALF, RATE, Room, STEPS};
+use scenes::billiards::{BALLS, Billiards, HALF, RATE, Room, STEPS, SUB_STEPS};
 use scenes::pins::pin;
+use trace::look::Look;
+use trace::{Clock, Trace};
 
 board::entry!(run);
 
@@ -32,15 +35,23 @@ impl Job for Break {
             board::println!("the table cannot be set up");
             return Exit::Failure;
         };
+        let clock = Clock { rate: RATE, sub_steps: SUB_STEPS };
+        let Some(mut trace) = Trace::start(billiards.world(), clock, billiards.settings(), |_| Look::Plain) else {
+            return Exit::Failure;
+        };
         board::println!("{}: {BALLS} balls, {STEPS} steps of 1/{RATE} s", S::NAME);
         print_table(&billiards);
         for step in 1..=STEPS {
             billiards.step();
+            trace.frame(billiards.world(), billiards.settings());
             if step % (STEPS / 8) == 0 {
                 let ms = step.wrapping_mul(1000) / u32::from(RATE);
                 let (energy, rolling) = (billiards.energy().milli(), billiards.rolling());
                 board::println!("  {ms:4} ms: {energy:4} thousandths of the energy, {rolling} balls roll or rest");
             }
+        }
+        if !trace.finish() {
+            return Exit::Failure;
         }
         print_table(&billiards);
         let (balls, cushions) = (billiards.ball_impacts, billiards.cushion_impacts);

@@ -1,4 +1,4 @@
-//! Two dice are thrown, tumble, come to rest, and are read. `--seed N` throws others.
+//! Two dice are thrown, tumble, come to rest, and are read. `--seed N` throws others, `--trace FILE` writes what happens.
 //!
 //! Prints frames from the side, the faces and the state hash. Every number is the same on every machine.
 #![cfg_attr(target_os = "none", no_std, no_main)]
@@ -7,12 +7,15 @@ mod board;
 mod numbers;
 mod picture;
 mod scenes;
+mod trace;
 
 use board::Exit;
 use numbers::{Job, Number};
 use picture::{Picture, verdict};
-use scenes::dice::{DICE, RATE, Room, SEED, STEPS, Throw};
+use scenes::dice::{DICE, RATE, Room, SEED, STEPS, SUB_STEPS, Throw};
 use scenes::pins::pin;
+use trace::look::Look;
+use trace::{Clock, Trace};
 
 board::entry!(run);
 
@@ -38,12 +41,18 @@ impl Job for Dice {
             board::println!("the dice cannot be set up");
             return Exit::Failure;
         };
+        let clock = Clock { rate: RATE, sub_steps: SUB_STEPS };
+        let look = |body| if body == 0 { Look::Plain } else { Look::Die };
+        let Some(mut trace) = Trace::start(throw.world(), clock, throw.settings(), look) else {
+            return Exit::Failure;
+        };
         board::println!("{}: {DICE} dice of 16 mm, seed {seed}", S::NAME);
         let mut shown = Frame::new();
         print_frame(&throw, 0, &mut shown);
         let mut steps = 0;
         while steps < STEPS && throw.step() {
             steps = steps.wrapping_add(1);
+            trace.frame(throw.world(), throw.settings());
             if steps % FRAME == 0 {
                 print_frame(&throw, steps, &mut shown);
             }
@@ -51,6 +60,9 @@ impl Job for Dice {
         let ms = steps.wrapping_mul(1000) / u32::from(RATE);
         board::println!("at rest after {ms} ms and {} impacts", throw.impacts);
         print_faces(&throw);
+        if !trace.finish() {
+            return Exit::Failure;
+        }
         if throw.dropped > 0 {
             board::println!("{} contacts found no room", throw.dropped);
             return Exit::Failure;

@@ -7,12 +7,15 @@ mod board;
 mod numbers;
 mod picture;
 mod scenes;
+mod trace;
 
 use board::Exit;
 use numbers::{Job, Number};
 use picture::{Picture, verdict};
-use scenes::maze::{GOAL, Maze, RATE, Room, SIZE, STEPS, WALLS};
+use scenes::maze::{GOAL, GOAL_PLACE, Maze, RATE, Room, SIZE, STEPS, SUB_STEPS, WALLS};
 use scenes::pins::pin;
+use trace::look::Look;
+use trace::{Clock, Trace};
 
 board::entry!(run);
 
@@ -37,11 +40,17 @@ impl Job for MarbleMaze {
             board::println!("the maze cannot be set up");
             return Exit::Failure;
         };
+        let look = |body| if body == GOAL_PLACE { Look::Sensor } else { Look::Plain };
+        let clock = Clock { rate: RATE, sub_steps: SUB_STEPS };
+        let Some(mut trace) = Trace::start(maze.world(), clock, maze.settings(), look) else {
+            return Exit::Failure;
+        };
         board::println!("{}: a maze of 20 by 16 cm, {STEPS} steps of 1/{RATE} s", S::NAME);
         let mut map = drawn();
         print_map(&mut map, &maze, 0);
         for step in 1..=STEPS {
             maze.step();
+            trace.frame(maze.world(), maze.settings());
             if step % DOT == 0 {
                 mark(&mut map, &maze, b'.');
             }
@@ -50,6 +59,9 @@ impl Job for MarbleMaze {
             }
         }
         print_map(&mut map, &maze, STEPS);
+        if !trace.finish() {
+            return Exit::Failure;
+        }
         if maze.dropped > 0 {
             board::println!("{} contacts found no room", maze.dropped);
             return Exit::Failure;

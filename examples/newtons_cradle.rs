@@ -7,12 +7,15 @@ mod board;
 mod numbers;
 mod picture;
 mod scenes;
+mod trace;
 
 use board::Exit;
 use numbers::{Job, Number};
 use picture::{Picture, verdict};
-use scenes::cradle::{BALLS, Cradle, RATE, Room, STEPS};
+use scenes::cradle::{BALLS, Cradle, RATE, Room, STEPS, SUB_STEPS};
 use scenes::pins::pin;
+use trace::look::Look;
+use trace::{Clock, Trace};
 
 board::entry!(run);
 
@@ -34,14 +37,22 @@ impl Job for Swings {
             board::println!("the cradle cannot be set up");
             return Exit::Failure;
         };
+        let clock = Clock { rate: RATE, sub_steps: SUB_STEPS };
+        let Some(mut trace) = Trace::start(cradle.world(), clock, cradle.settings(), |_| Look::Plain) else {
+            return Exit::Failure;
+        };
         board::println!("{}: {BALLS} balls, {STEPS} steps of 1/{RATE} s", S::NAME);
         board::println!("  time    momentum    energy");
         print_frame(&cradle, 0);
         for step in 1..=STEPS {
             cradle.step();
+            trace.frame(cradle.world(), cradle.settings());
             if step % (u32::from(RATE) / 4) == 0 {
                 print_frame(&cradle, step);
             }
+        }
+        if !trace.finish() {
+            return Exit::Failure;
         }
         let [first, last] = cradle.fastest.map(Number::milli).map(|speed| speed / 10);
         board::println!(

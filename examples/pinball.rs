@@ -7,12 +7,15 @@ mod board;
 mod numbers;
 mod picture;
 mod scenes;
+mod trace;
 
 use board::Exit;
 use numbers::{Job, Number};
 use picture::{Picture, verdict};
-use scenes::pinball::{BUMPERS, HALF_WIDTH, LENGTH, Pinball, RATE, Room, STEPS};
+use scenes::pinball::{BUMPERS, DRAIN_PLACE, HALF_WIDTH, LENGTH, Pinball, RATE, Room, STEPS, SUB_STEPS};
 use scenes::pins::pin;
+use trace::look::Look;
+use trace::{Clock, Trace};
 
 board::entry!(run);
 
@@ -36,11 +39,17 @@ impl Job for Game {
             board::println!("the table cannot be set up");
             return Exit::Failure;
         };
+        let look = |body| if body == DRAIN_PLACE { Look::Sensor } else { Look::Plain };
+        let clock = Clock { rate: RATE, sub_steps: SUB_STEPS };
+        let Some(mut trace) = Trace::start(pinball.world(), clock, pinball.settings(), look) else {
+            return Exit::Failure;
+        };
         board::println!("{}: steps of 1/{RATE} s", S::NAME);
         let mut picture = Board::new();
         let (mut steps, mut lost, mut going) = (0, 0, true);
         while going && steps < STEPS {
             going = pinball.step();
+            trace.frame(pinball.world(), pinball.settings());
             steps = steps.wrapping_add(1);
             if steps % 4 == 0
                 && let Some(ball) = pinball.ball()
@@ -55,6 +64,9 @@ impl Job for Game {
                 board::println!("after {ms} ms: {score} points by {hits} hits, {flips} flips, {lost} balls lost");
                 picture = Board::new();
             }
+        }
+        if !trace.finish() {
+            return Exit::Failure;
         }
         if pinball.dropped > 0 || pinball.saturated {
             board::println!("{} contacts found no room; saturated: {}", pinball.dropped, pinball.saturated);

@@ -7,13 +7,16 @@ mod board;
 mod numbers;
 mod picture;
 mod scenes;
+mod trace;
 
 use board::Exit;
 use numbers::{Job, Number};
 use picture::verdict;
 use scenes::make::hundredfold;
 use scenes::pins::pin;
-use scenes::stack::{BOXES, RATE, Room, STEPS, Stack};
+use scenes::stack::{BOXES, RATE, Room, STEPS, SUB_STEPS, Stack};
+use trace::look::Look;
+use trace::{Clock, Trace};
 
 board::entry!(run);
 
@@ -35,9 +38,17 @@ impl Job for Boxes {
             board::println!("the boxes cannot be set up");
             return Exit::Failure;
         };
+        let clock = Clock { rate: RATE, sub_steps: SUB_STEPS };
+        let Some(mut trace) = Trace::start(stack.world(), clock, stack.settings(), |_| Look::Plain) else {
+            return Exit::Failure;
+        };
         board::println!("{}: {BOXES} boxes of 10 cm, {STEPS} steps of 1/{RATE} s", S::NAME);
         for _ in 0..STEPS {
             stack.step();
+            trace.frame(stack.world(), stack.settings());
+        }
+        if !trace.finish() {
+            return Exit::Failure;
         }
         let mut stands = true;
         for (number, moved) in (1..).zip(stack.moved()) {

@@ -5,6 +5,7 @@ use crate::scalar::Scalar;
 
 /// A box along the world's axes that holds a shape, up to a rounding: what is near it is to be found with a margin.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct Aabb<S> {
     /// The corner with the smallest coordinates.

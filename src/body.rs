@@ -167,6 +167,13 @@ impl<S: Scalar> Body<S> {
             && (self.gravity_scale.is_finite() && self.linear_damping.is_finite() && self.angular_damping.is_finite())
     }
 
+    /// What it was made from.
+    #[cfg(feature = "serde")]
+    pub(crate) const fn mass_properties(&self) -> MassProperties<S> {
+        let Self { inv_mass, inv_inertia_local: inv_inertia, exponent, gyration, .. } = *self;
+        MassProperties { inv_mass, inv_inertia, exponent, gyration }
+    }
+
     fn unblocked(&self, m: &SymMat3<S::Unit>) -> [S::Scaled; 6] {
         [m.xx, m.xy, m.xz, m.yy, m.yz, m.zz].map(|x| x.to_scaled().raised(self.exponent))
     }

@@ -6,6 +6,14 @@ use crate::scalar::Scalar;
 
 /// A point at which two bodies touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "S: serde::Serialize, S::Unit: serde::Serialize",
+        deserialize = "S: serde::Deserialize<'de>, S::Unit: serde::Deserialize<'de>"
+    ))
+)]
 #[repr(C)]
 pub struct Contact<S: Scalar> {
     /// From body A to body B.
@@ -41,6 +49,8 @@ impl<S: Scalar> Contact<S> {
 
 /// Which law restitution follows where friction acts with it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum RestitutionLaw {
     /// v_n' = -e v_n, always. With friction at an eccentric contact this may raise the kinetic energy: of random impacts
     /// of everyday bodies, in 0.44 %. In the solver several points that rebound at once may raise it without friction, too.

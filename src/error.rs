@@ -19,6 +19,13 @@ macro_rules! errors {
         }
 
         impl Error for $name {}
+
+        #[cfg(feature = "defmt")]
+        impl defmt::Format for $name {
+            fn format(&self, f: defmt::Formatter<'_>) {
+                match self { $(Self::$variant => defmt::write!(f, $text)),+ }
+            }
+        }
     )+};
 }
 

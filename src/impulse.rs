@@ -43,6 +43,8 @@ use crate::scalar::{Scalar, Scaled};
 
 /// What a contact did.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Outcome {
     /// The bodies do not approach each other at the point: nothing was changed.
     Separating,
@@ -61,6 +63,7 @@ pub enum Outcome {
 
 /// What a contact did, and with which impulse: on B as given here, on A the opposite.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Impact<S> {
     /// The kind of event.
     pub outcome: Outcome,

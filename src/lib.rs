@@ -93,6 +93,7 @@
 //! - [`World`]: **bodies with shapes** in memory of fixed size, from the broad phase to sleep.
 //! - [`units`]: whether a scene fits a number format, and units in which it does.
 //! - [`StateHash`]: one number to compare two machines by.
+//! - `check_float_environment`, with `f32`: whether the FPU is set as it has to be.
 //!
 //! # Conventions
 //!
@@ -106,7 +107,14 @@
 //! Constructors refuse bad input with an error that names the parameter. An impulse or a step never fails: fixed point stays at
 //! the end of its range, a float that is not finite leaves the bodies as they were, contacts beyond the room there is are left
 //! out, and the report says so. Nothing panics, allocates, wraps, or loops without a bound.
+//!
+//! # Beside other crates
+//!
+//! Features add implementations of others' traits: `mint` (vectors, quaternions and matrices, from and to any library of
+//! mathematics), `serde` (public values, validated on the way in), `defmt` (logs), `arbitrary` (fuzzers). [`interop`] says what
+//! each holds.
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![deny(missing_docs)]
 #![deny(unsafe_code)]
 
@@ -115,8 +123,11 @@ mod body;
 mod broad_phase;
 mod contact;
 mod error;
+#[cfg(feature = "f32")]
+mod float_environment;
 mod hash;
 pub mod impulse;
+pub mod interop;
 mod manifold;
 mod mass;
 mod math;
@@ -136,6 +147,8 @@ pub use error::{
     BodyError, CompoundError, ContactError, DirectionError, HandleError, HeightFieldError, HullError, InsertError,
     MassError, MaterialError, OrientationError, RangeError, ShapeError, SolidError,
 };
+#[cfg(feature = "f32")]
+pub use float_environment::{FloatEnvironmentError, check_float_environment};
 pub use hash::StateHash;
 pub use manifold::{FeatureId, Manifold, ManifoldPoint};
 pub use mass::{Assembly, MassProperties, Solid, SolidPart};

@@ -6,11 +6,14 @@ use crate::scalar::Scalar;
 /// Which features of two shapes make a contact point: the same number in the next step means the same point, so that its
 /// impulse can be carried over.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(transparent)]
 pub struct FeatureId(pub u16);
 
 /// One point of a [`Manifold`], halfway between the two surfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct ManifoldPoint<S: Scalar> {
     /// From the origin of A's pose to the point, in the world's frame.

@@ -166,7 +166,7 @@ impl<S: Scalar> Solid<S> {
         Self::new(measure, [across, across, along], radius_or(r, SolidError::HalfLength))
     }
 
-    fn new(measure: S::Scaled, moments: [S::Scaled; 3], error: SolidError) -> Result<Self, SolidError> {
+    pub(crate) fn new(measure: S::Scaled, moments: [S::Scaled; 3], error: SolidError) -> Result<Self, SolidError> {
         let fits = has_all_digits(measure) && have_all_digits(moments);
         if fits { Ok(Self { measure, moments }) } else { Err(error) }
     }
@@ -292,7 +292,7 @@ impl<S: Scalar> MassProperties<S> {
 
 /// (I_y - I_z)/I_x and so on, from the inverse moments; zero where the axes of the body are not principal ones, or an axis is
 /// locked.
-fn gyration<S: Scalar>([x, xy, xz, y, yz, z]: [S::Scaled; 6]) -> Vec3<S::Unit> {
+pub(crate) fn gyration<S: Scalar>([x, xy, xz, y, yz, z]: [S::Scaled; 6]) -> Vec3<S::Unit> {
     let zero = S::Scaled::ZERO;
     let principal = xy == zero && xz == zero && yz == zero;
     if !principal || x == zero || y == zero || z == zero {

@@ -4,7 +4,7 @@
 //!
 //! 1. [`Step::begin`] reads the velocities,
 //! 2. [`Step::add`] takes each pair that touches or is about to, with the impulses of the step before,
-//! 3. [`Step::finish`] solves and moves the bodies.
+//! 3. [`Step::finish`] solves and moves the bodies; [`Step::advance`] before it does so in parts.
 //!
 //! Then [`Constraints::impulses`] has what to keep for the next step.
 //!
@@ -23,8 +23,10 @@ mod impact;
 mod integrate;
 mod motion;
 mod prepare;
+mod prepare_round;
 mod settings;
 mod softness;
+mod stages;
 mod step;
 mod touch;
 mod warm_start;
@@ -34,6 +36,8 @@ pub use self::drive::drive;
 pub use self::motion::Motion;
 pub use self::settings::{Settings, SettingsError};
 pub use self::softness::Softness;
-pub use self::step::{Buffers, Constraints, Step, StepReport};
+pub use self::stages::{Buffers, Constraints};
+pub(crate) use self::step::Paused;
+pub use self::step::{Step, StepReport};
 pub use self::touch::Touch;
 pub use self::warm_start::WarmStart;

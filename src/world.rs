@@ -3,12 +3,14 @@
 //! It is thin: the broad phase, the narrow phase and the [solver](crate::solver) work on slices, and can be used without it.
 
 mod contacts;
+mod cost;
 mod filter;
 mod handle;
 mod islands;
 mod look;
 mod meet;
 mod slot;
+mod split;
 mod step;
 mod wake;
 mod way;
@@ -16,9 +18,11 @@ mod way;
 use heapless::Vec;
 
 pub use self::contacts::{Phase, Touching};
+pub use self::cost::{StepCost, StepWork};
 pub use self::filter::Filter;
 pub use self::handle::BodyHandle;
 pub use self::look::{Sight, Surface};
+pub use self::split::SplitStep;
 pub use self::step::WorldReport;
 
 use self::contacts::{Entry, Key};

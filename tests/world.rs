@@ -32,6 +32,7 @@ each_number!(
     sensors_notice_what_overlaps,
     driven,
     copies,
+    steps_in_parts,
     questions,
     one_spot,
     walls_stop_what_is_fast,
@@ -316,6 +317,35 @@ fn copies<S: HostScalar>(name: &str) {
         |phase| heard.iter().flat_map(|(_, contacts, _)| contacts).filter(|contact| contact.phase == phase).count();
     let [began, ended] = [Phase::Began, Phase::Ended].map(phases);
     assert!(began > 8 && ended > 8, "{name}: {began} contacts began and {ended} ended");
+}
+
+/// However a step is split, and if it is dropped half made, it comes to the same bits.
+fn steps_in_parts<S: HostScalar>(name: &str) {
+    let mut stage = stage::heap::<S>(12);
+    let settings = stage.settings;
+    let mut whole = stage.world.clone();
+    for step in 0..120u8 {
+        let report = whole.step(&settings);
+        let mut split = stage.world.split_step(&settings);
+        let parts = match step % 4 {
+            0 => vec![],
+            1 => vec![1, 1, 1, 1],
+            2 => vec![3, 0, 200],
+            _ => vec![2],
+        };
+        let mut left = 4;
+        for sub_steps in parts {
+            left -= sub_steps.min(left);
+            assert_eq!(split.advance(sub_steps), left, "{name}: step {step}");
+        }
+        if step % 8 < 4 {
+            assert_eq!(split.finish(), report, "{name}: step {step}");
+        } else {
+            drop(split);
+        }
+        assert_eq!(stage.world.hash(), whole.hash(), "{name}: step {step}");
+    }
+    assert!(whole.contacts().count() > 8, "{name}: nothing lies on anything");
 }
 
 fn questions<S: HostScalar>(name: &str) {

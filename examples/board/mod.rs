@@ -27,11 +27,13 @@
 //!   their line ending and may have up to [`LINE`] bytes.
 //! - [`create`]`(path)`: writes one, `writeln!(writer, ...)` with `core::fmt::Write` in scope, then
 //!   `writer.finish() -> Result<(), FileError>`.
+//! - [`create_binary`]`(path)`: writes a file of bytes, `writer.bytes(&[..])`, then `writer.finish()`.
 //! - [`FileError`]: what went wrong; it prints itself as one sentence.
 
 // Each example uses the part of the shim that it needs.
 #![allow(dead_code, unused_imports, unused_macros)]
 
+mod binary;
 mod text;
 
 // The system below: files, standard output, arguments, the entry point.
@@ -42,6 +44,7 @@ mod system;
 #[path = "host.rs"]
 mod system;
 
+pub use binary::{BinaryWriter, create_binary};
 pub use system::{args, exit, print_fmt, println_fmt};
 pub use text::{FileError, LINE, LineReader, LineWriter, create, open};
 
@@ -71,7 +74,8 @@ macro_rules! entry {
 
         // `cortex_m_rt::entry` names the reset code's `main`; it starts with the FPU on where the target has one.
         #[cfg(target_os = "none")]
-        #[cortex_m_rt::entry]
+        #[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+        #[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
         fn main() -> ! {
             $crate::board::exit($run())
         }

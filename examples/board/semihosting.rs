@@ -5,7 +5,12 @@ use super::text::{FileError, Line};
 use core::cell::UnsafeCell;
 use core::fmt::{self, Write};
 use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+// The same interface on two families of processors.
+#[cfg(target_arch = "arm")]
 use cortex_m_semihosting::{debug, nr, syscall, syscall1};
+#[cfg(target_arch = "riscv32")]
+use riscv_semihosting::{debug, nr, syscall, syscall1};
 
 /// Longest command line and longest path, in bytes, with the zero byte behind it. `cargo xtask qemu` knows it too.
 const NAME: usize = 256;
@@ -169,6 +174,7 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
 }
 
 // What faults is most often a stack that has grown out of the RAM: the handler begins with a fresh one.
+#[cfg(target_arch = "arm")]
 core::arch::global_asm!(
     ".section .HardFault.board, \"ax\"",
     ".global HardFault",
@@ -183,14 +189,24 @@ core::arch::global_asm!(
     hard_fault = sym hard_fault,
 );
 
+#[cfg(target_arch = "arm")]
 extern "C" fn hard_fault() -> ! {
     abort("hard fault (did the stack outgrow the RAM?)\n")
 }
 
 // SAFETY: the handler only talks to the debug channel and never returns.
+#[cfg(target_arch = "arm")]
 #[cortex_m_rt::exception]
 unsafe fn DefaultHandler(_: i16) -> ! {
     abort("unexpected exception\n")
+}
+
+/// Whatever riscv-rt's vector finds no other handler for.
+// SAFETY: the name that riscv-rt's linker script looks for, once in a firmware; it never returns.
+#[cfg(target_arch = "riscv32")]
+#[unsafe(export_name = "ExceptionHandler")]
+extern "C" fn exception() -> ! {
+    abort("unexpected exception (did the stack outgrow the RAM?)\n")
 }
 
 /// A static that the shim fills once, see its uses.

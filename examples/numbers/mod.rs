@@ -14,6 +14,9 @@ pub trait Number: Scalar {
     /// As in `--scalar NAME`.
     const NAME: &'static str;
 
+    /// The bits behind the point, in fixed point.
+    const FRACTION: Option<u8> = None;
+
     /// In thousandths, cut off towards zero, for printing: boards print integers only.
     fn milli(self) -> i32;
 }
@@ -50,6 +53,7 @@ macro_rules! fixed_number {
     ($($number:ty, $name:literal;)+) => {$(
         impl Number for $number {
             const NAME: &'static str = $name;
+            const FRACTION: Option<u8> = Some(Self::FRAC_NBITS as u8);
 
             fn milli(self) -> i32 {
                 // Towards zero, as for floats.
@@ -71,18 +75,30 @@ fixed_number! {
 pub trait Job {
     /// Three formats of it do not fit 256 KB of flash: firmware leaves I8F24 out.
     const LARGE: bool = false;
+    /// Without a choice it runs in each number type of the build, not in the first.
+    const EACH: bool = false;
 
     fn run<S: Number>(&self) -> Exit;
 }
 
-/// Runs the job in the type that `--scalar` names, or in the first one of the build.
-pub fn dispatch(job: &impl Job) -> Exit {
+/// Runs the job in the type that `--scalar` names, or in the first one of the build, or in each.
+pub fn dispatch<J: Job>(job: &J) -> Exit {
     let wanted = board::option("--scalar");
+    let each = J::EACH && wanted.is_none();
+    // A build without number types changes nothing here.
+    #[allow(unused_mut)]
+    let mut outcome = None;
     macro_rules! offer {
         ($($feature:literal: $($number:ty),+;)+) => {$($(
             #[cfg(feature = $feature)]
             if wanted.is_none_or(|name| name == <$number>::NAME) && !left_out::<_, $number>(job) {
-                return apart::<$number>(job);
+                let exit = apart::<$number>(job);
+                if !each {
+                    return exit;
+                }
+                if outcome != Some(Exit::Failure) {
+                    outcome = Some(exit);
+                }
             }
         )+)+};
     }
@@ -92,7 +108,10 @@ pub fn dispatch(job: &impl Job) -> Exit {
         "f64": f64;
         "micromath": micromath::F32;
     }
-    let _ = job;
+    if let Some(exit) = outcome {
+        return exit;
+    }
+    let _ = (job, each);
     board::println!("this build does not hold the number type {}", wanted.unwrap_or("(none)"));
     board::println!("build with --features f32, fixed, f64 or micromath");
     Exit::Failure

@@ -18,6 +18,7 @@ pub const BALLS: usize = 7;
 pub const HALF: [i32; 2] = [12_700, 6_350];
 /// Four seconds.
 pub const RATE: u16 = 240;
+pub const SUB_STEPS: u8 = 2;
 pub const STEPS: u32 = 960;
 
 /// The radius of a ball in millionths of a decimetre: 57.15 mm across. Between balls of the rack is a gap of 1 mm.
@@ -87,7 +88,7 @@ impl<'w, S: Scalar> Billiards<'w, S> {
             }
             *slot = Some(world.insert(body, shape, surface).ok()?);
         }
-        let settings = settings(RATE, 2)?;
+        let settings = settings(RATE, SUB_STEPS)?;
         Some(Self {
             world,
             settings,
@@ -142,6 +143,15 @@ impl<'w, S: Scalar> Billiards<'w, S> {
             Vec3::new(x, y, S::ZERO).length()
         });
         slips.filter(|slip| *slip < slow).count()
+    }
+
+    /// All that there is.
+    pub fn world(&self) -> &Room<S> {
+        self.world
+    }
+
+    pub fn settings(&self) -> &Settings<S> {
+        &self.settings
     }
 
     pub fn hash(&self) -> u64 {

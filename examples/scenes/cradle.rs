@@ -14,6 +14,7 @@ use super::make::{ball, kernel_step, material, milli, per_mille, square, vector}
 pub const BALLS: usize = 5;
 /// Four seconds: two swings.
 pub const RATE: u16 = 1000;
+pub const SUB_STEPS: u8 = 1;
 pub const STEPS: u32 = 4000;
 
 /// Thousandths of a decimetre: the radius, the distance of the places, and how far the first ball is drawn aside.
@@ -53,7 +54,7 @@ impl<'w, S: Scalar> Cradle<'w, S> {
             body.position.x = place.minus(aside);
             *slot = Some((world.insert(body, shape, steel).ok()?, place));
         }
-        let settings = Settings::new(vector([0; 3])?, [1, RATE], 1).ok()?;
+        let settings = Settings::new(vector([0; 3])?, [1, RATE], SUB_STEPS).ok()?;
         let pull = S::Scaled::ratio(STIFFNESS, 1000 * i32::from(RATE));
         Some(Self { world, settings, balls, pull, impacts: 0, fastest: [S::ZERO; 2] })
     }
@@ -98,6 +99,15 @@ impl<'w, S: Scalar> Cradle<'w, S> {
             energy = energy + square(Vec3::new(speed, S::ZERO, S::ZERO)) + height(position.minus(place.1));
         }
         per_mille(energy, height(milli(ASIDE).unwrap_or(S::ONE)))
+    }
+
+    /// All that there is.
+    pub fn world(&self) -> &Room<S> {
+        self.world
+    }
+
+    pub fn settings(&self) -> &Settings<S> {
+        &self.settings
     }
 
     pub fn hash(&self) -> u64 {

@@ -15,6 +15,7 @@ carom::shapes! {
 pub const DICE: usize = 2;
 /// Steps in a second, and the most that a throw is given: five seconds.
 pub const RATE: u16 = 120;
+pub const SUB_STEPS: u8 = 4;
 pub const STEPS: u32 = 600;
 
 /// Half an edge, in thousandths of a decimetre.
@@ -52,7 +53,7 @@ impl<'w, S: Scalar> Throw<'w, S> {
             body.set_orientation(random.fair_orientation());
             *die = Some(world.insert(body, shape, surface).ok()?);
         }
-        Some(Self { world, settings: settings(RATE, 4)?, dice, dropped: 0, impacts: 0 })
+        Some(Self { world, settings: settings(RATE, SUB_STEPS)?, dice, dropped: 0, impacts: 0 })
     }
 
     /// A step; whether a die still rolls.
@@ -79,6 +80,15 @@ impl<'w, S: Scalar> Throw<'w, S> {
             let level = S::Unit::from_ratio(99, 100).is_ok_and(|level| cosine > level);
             level.then_some(face)
         })
+    }
+
+    /// All that there is.
+    pub fn world(&self) -> &Room<S> {
+        self.world
+    }
+
+    pub fn settings(&self) -> &Settings<S> {
+        &self.settings
     }
 
     /// The state of all bodies.

@@ -26,9 +26,12 @@ pub const WALLS: [[[i32; 2]; 2]; 6] = [
 /// Where the marble starts, and where it has to go.
 const START: [i32; 2] = [2, 14];
 pub const GOAL: [i32; 2] = [18, 14];
+/// The goal's place among the bodies: behind the floor and all walls.
+pub const GOAL_PLACE: usize = 5 + WALLS.len();
 
 /// Steps a second, and to a sample of the trace.
 pub const RATE: u16 = 120;
+pub const SUB_STEPS: u8 = 2;
 pub const STEPS: u32 = TRACE.len() as u32 * STEPS_OF_SAMPLE;
 const STEPS_OF_SAMPLE: u32 = (RATE / tilt::RATE) as u32;
 
@@ -77,7 +80,7 @@ impl<'w, S: Scalar> Maze<'w, S> {
         let goal = world.insert(Body::immovable().at(vector(place(GOAL, RADIUS))?), shape, glass).ok()?;
         world.set_sensor(goal, true).ok()?;
         let marble = world.insert(marble.at(vector(place(START, RADIUS))?), shape, glass).ok()?;
-        Some(Self { world, settings: settings(RATE, 2)?, marble, steps: 0, reached: None, dropped: 0 })
+        Some(Self { world, settings: settings(RATE, SUB_STEPS)?, marble, steps: 0, reached: None, dropped: 0 })
     }
 
     pub fn step(&mut self) {
@@ -100,6 +103,15 @@ impl<'w, S: Scalar> Maze<'w, S> {
     /// Where the marble is.
     pub fn marble(&self) -> Option<Vec3<S>> {
         self.world.body(self.marble).ok().map(|body| body.position)
+    }
+
+    /// All that there is.
+    pub fn world(&self) -> &Room<S> {
+        self.world
+    }
+
+    pub fn settings(&self) -> &Settings<S> {
+        &self.settings
     }
 
     pub fn hash(&self) -> u64 {

@@ -16,8 +16,11 @@ pub const HALF_WIDTH: i32 = 2500;
 pub const LENGTH: i32 = 8000;
 /// Steps in a second, and how long three balls may last: 20 s.
 pub const RATE: u16 = 240;
+pub const SUB_STEPS: u8 = 1;
 pub const STEPS: u32 = 4800;
 pub const BALLS: u32 = 3;
+/// The drain's place among the bodies: the last one before the ball.
+pub const DRAIN_PLACE: usize = 11;
 
 const RADIUS: i32 = 200;
 /// Where the bumpers are, and how large.
@@ -117,7 +120,7 @@ impl<'w, S: Scalar> Pinball<'w, S> {
         world.set_sensor(drain, true).ok()?;
         let (body, shape) = ball::<S>(RADIUS * 1000)?;
         let ball = world.insert(body, shape, steel).ok()?;
-        let settings = Settings::new(vector(GRAVITY)?, [1, RATE], 1).ok()?;
+        let settings = Settings::new(vector(GRAVITY)?, [1, RATE], SUB_STEPS).ok()?;
         let (balls_lost, hits, flips, score, dropped, saturated) = (0, 0, 0, 0, 0, false);
         let mut pinball = Self {
             world,
@@ -237,6 +240,15 @@ impl<'w, S: Scalar> Pinball<'w, S> {
     /// Where the flippers are.
     pub fn arms(&self) -> impl Iterator<Item = Vec3<S>> {
         self.flippers.iter().filter_map(|flipper| self.world.body(flipper.body).ok()).map(|body| body.position)
+    }
+
+    /// All that there is.
+    pub fn world(&self) -> &Room<S> {
+        self.world
+    }
+
+    pub fn settings(&self) -> &Settings<S> {
+        &self.settings
     }
 
     pub fn hash(&self) -> u64 {

@@ -13,6 +13,7 @@ carom::shapes! {
 pub const BOXES: usize = 10;
 /// Ten seconds.
 pub const RATE: u16 = 60;
+pub const SUB_STEPS: u8 = 8;
 pub const STEPS: u32 = 600;
 
 /// Half an edge, in thousandths of a decimetre.
@@ -42,7 +43,7 @@ impl<'w, S: Scalar> Stack<'w, S> {
             let body = body.at(Vec3::new(S::ZERO, S::ZERO, height));
             *slot = Some(world.insert(body, shape, surface).ok()?);
         }
-        Some(Self { world, settings: settings(RATE, 8)?, boxes, dropped: 0 })
+        Some(Self { world, settings: settings(RATE, SUB_STEPS)?, boxes, dropped: 0 })
     }
 
     pub fn step(&mut self) {
@@ -57,6 +58,15 @@ impl<'w, S: Scalar> Stack<'w, S> {
             let height = milli(HALF * (2 * index + 1)).unwrap_or(S::ZERO);
             [body.position.x, body.position.y, height.minus(body.position.z)]
         })
+    }
+
+    /// All that there is.
+    pub fn world(&self) -> &Room<S> {
+        self.world
+    }
+
+    pub fn settings(&self) -> &Settings<S> {
+        &self.settings
     }
 
     pub fn hash(&self) -> u64 {

@@ -5,6 +5,7 @@ use crate::scalar::Scalar;
 
 /// A 3x3 matrix by rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct Mat3<S> {
     /// First, second and third row.

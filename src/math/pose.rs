@@ -8,6 +8,14 @@ use crate::scalar::Scalar;
 /// The orientation is kept as a matrix, so that it is computed once a step, however many pairs of shapes and points need it.
 /// 48 bytes in f32 and in fixed point.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "S: serde::Serialize, S::Unit: serde::Serialize",
+        deserialize = "S: serde::Deserialize<'de>, S::Unit: serde::Deserialize<'de>"
+    ))
+)]
 #[repr(C)]
 pub struct Pose<S: Scalar> {
     /// The origin of the frame in the world's, m.

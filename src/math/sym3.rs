@@ -5,6 +5,7 @@ use crate::scalar::Scalar;
 
 /// A symmetric 3x3 matrix.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct SymMat3<S> {
     /// Row 1, column 1.

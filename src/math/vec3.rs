@@ -10,6 +10,7 @@ use crate::scalar::Scalar;
 /// In fixed point every operation takes the end of the range where a component leaves it, and [`dot`](Self::dot),
 /// [`cross`](Self::cross) and [`length`](Self::length) round once, from an exact 64-bit sum.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct Vec3<S> {
     /// Along the first axis.

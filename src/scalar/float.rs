@@ -27,7 +27,7 @@ macro_rules! float_scalar {
      zero: $zero:expr, one: $one:expr, largest: $largest:expr, pi: $pi:expr, epsilon: $epsilon:expr, small: $small:expr,
      finite: $finite:expr) => {
         use super::float::{FloatArm, FloatLever};
-        $crate::scalar::float_step::float_step!($float, sqrt: $sqrt, zero: $zero, half: $one / ($one + $one));
+        $crate::scalar::float_step::float_step!($float, sqrt: $sqrt, zero: $zero, one: $one, half: $one / ($one + $one));
         use $crate::math::{Block, BlockImpulse, SymBlock, SymMat3, Vec3};
 
         /// One, or the power of two that brings a vector with squares beyond the range into it.

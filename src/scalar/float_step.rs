@@ -15,7 +15,7 @@ pub struct FloatLevers<T> {
 
 /// Implements `StepArithmetic` for a float: `$half` is 1/2.
 macro_rules! float_step {
-    ($float:ty, sqrt: $sqrt:expr, zero: $zero:expr, half: $half:expr) => {
+    ($float:ty, sqrt: $sqrt:expr, zero: $zero:expr, one: $one:expr, half: $half:expr) => {
         use super::float_step::{FloatLevers, FloatStep};
         use super::step::{Column, StepArithmetic, Weights};
 
@@ -29,6 +29,7 @@ macro_rules! float_step {
             const MOST_PLACES: () = ();
             const NO_REST: () = ();
             const NO_RATIO: $float = $zero;
+            const EVEN: [$float; 3] = [$one, $zero, $one];
 
             #[inline(always)]
             fn size(_: $float, (): ()) {}
@@ -127,6 +128,29 @@ macro_rules! float_step {
                 *normal = column(n, turn_n, weights.inv_normal);
                 *first = column(x, turn_x, weights.inv_tangent);
                 *second = column(y, turn_y, weights.inv_tangent);
+            }
+
+            #[inline(always)]
+            fn is_along(r: &Vec3<$float>, d: &Vec3<$float>) -> bool {
+                let arm = r.cross(*d);
+                let part = <$float as $crate::scalar::Scaled>::EPSILON;
+                arm.dot(arm) <= r.dot(*r) * (part * part)
+            }
+
+            #[inline(always)]
+            fn round_columns(
+                [x, y]: &[Vec3<$float>; 2],
+                [reach, turn]: [$float; 2],
+                (): (),
+                [first, second]: [&mut Column<$float>; 2],
+            ) {
+                (first.arm, first.turn) = (*y * reach, *y * turn);
+                (second.arm, second.turn) = (*x * -reach, *x * -turn);
+            }
+
+            #[inline(always)]
+            fn ratio(x: $float) -> $float {
+                x
             }
 
             #[inline(always)]

@@ -102,15 +102,15 @@ pub(crate) fn long_quotient(n: u32, d: u32) -> u32 {
 /// the rounding: the result is correctly rounded whatever the reciprocal's error was.
 #[inline(always)]
 pub(crate) fn quotient(n: u32, d: u32, k: u32) -> u32 {
-    let x = reciprocal(d << 2) as u64;
-    let divisor = d as i64;
-    let wide = (n as i64).wrapping_shl(k);
-    let mut q = (n as u64).wrapping_mul(x).wrapping_shr(60u32.wrapping_sub(k)) as i64;
-    let mut r = wide.wrapping_sub(q.wrapping_mul(divisor));
-    // |r| < 2^36: the correction is its high part times the reciprocal.
-    let step = (r >> 8).wrapping_mul(x as i64) >> 52;
-    q = q.wrapping_add(step);
-    r = r.wrapping_sub(step.wrapping_mul(divisor));
+    let x = reciprocal(d << 2);
+    let mut q = unsigned_product(n, x).wrapping_shr(60u32.wrapping_sub(k)) as u32;
+    // Below 2^36 in magnitude: the correction is its high part times the reciprocal.
+    let rest = (n as u64).wrapping_shl(k).wrapping_sub(unsigned_product(q, d)) as i64;
+    let step = (product((rest >> 8) as i32, (x >> 1) as i32) >> 51) as i32;
+    q = q.wrapping_add(step as u32);
+    // Within two divisors: 32 bits.
+    let divisor = d as i32;
+    let mut r = (rest as i32).wrapping_sub(step.wrapping_mul(divisor));
     if r < 0 {
         q = q.wrapping_sub(1);
         r = r.wrapping_add(divisor);
@@ -122,7 +122,7 @@ pub(crate) fn quotient(n: u32, d: u32, k: u32) -> u32 {
     if r.wrapping_shl(1) >= divisor {
         q = q.wrapping_add(1);
     }
-    q as u32
+    q
 }
 
 /// `n 2^shift / d` rounded, or `None` where the result would not fit 31 bits. `d > 0`, `shift <= 31`.

@@ -233,13 +233,16 @@ impl Div for Scaled32 {
         if self.mantissa == 0 || other.mantissa == 0 {
             return quotient_by_zero(self);
         }
-        let negative = (self.mantissa ^ other.mantissa) < 0;
+        let sign = (self.mantissa ^ other.mantissa) >> 31;
         let (n, d) = (self.mantissa.unsigned_abs(), other.mantissa.unsigned_abs());
         // The quotient of the mantissas lies in (1/2, 2): choose the scale that leaves it 30 bits.
         let up = if n < d { 30 } else { 29 };
-        let q = quotient(n, d, up) as i64;
-        let exponent = self.exponent.wrapping_sub(other.exponent).wrapping_sub(up as i32);
-        Self::rounded(if negative { q.wrapping_neg() } else { q }, exponent)
+        let q = quotient(n, d, up);
+        // Rounded up to a power of two, it halves exactly.
+        let carry = q >> BITS;
+        let mantissa = (q >> carry) as i32;
+        let exponent = self.exponent.wrapping_sub(other.exponent).wrapping_add((BITS.wrapping_sub(up)) as i32);
+        Self { mantissa: (mantissa ^ sign).wrapping_sub(sign), exponent: exponent.wrapping_add(carry as i32) }
     }
 }
 

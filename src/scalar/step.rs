@@ -60,6 +60,8 @@ pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 's
     const NO_REST: Self::Rest;
     /// Zero.
     const NO_RATIO: Self::Ratio;
+    /// The symmetric 2x2 matrix that changes nothing.
+    const EVEN: [Self::Ratio; 3];
 
     /// The places of a body's spin beyond those of speeds: a size of the body from its mass and inertia.
     fn size(inv_mass: S::Scaled, exponent: S::Exponent) -> Self::Places;
@@ -104,6 +106,19 @@ pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 's
         central: bool,
         columns: [&mut Column<S>; 3],
     );
+
+    /// Whether `r` is along the direction: what is across it is no more than rounding makes of an arm along it.
+    fn is_along(r: &Vec3<S>, d: &Vec3<S::Unit>) -> bool;
+    /// Writes arms and turns of the columns of a ball that touches at `reach` along a normal, and for a unit impulse across it turns
+    /// by `turn`: for two tangents that form a right-handed frame with it.
+    fn round_columns(
+        tangents: &[Vec3<S::Unit>; 2],
+        lengths: [S::Scaled; 2],
+        size: Self::Places,
+        columns: [&mut Column<S>; 2],
+    );
+    /// The nearest ratio.
+    fn ratio(x: S::Scaled) -> Self::Ratio;
 
     /// A direction as rows have it.
     fn direction(d: &Vec3<S::Unit>) -> Vec3<S::Unit>;

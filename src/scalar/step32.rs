@@ -60,6 +60,7 @@ where
     const MOST_PLACES: i32 = REST;
     const NO_REST: i16 = 0;
     const NO_RATIO: i32 = 0;
+    const EVEN: [i32; 3] = columns::EVEN;
 
     #[inline(always)]
     fn size(inv_mass: Scaled32, exponent: i32) -> i32 {
@@ -169,6 +170,26 @@ where
         columns: [&mut Column<FixedI32<Frac>>; 3],
     ) {
         columns::columns(levers, inv_mass, weights, size, central, columns);
+    }
+
+    #[inline(always)]
+    fn is_along(r: &Vec3<FixedI32<Frac>>, d: &Vec3<I2F30>) -> bool {
+        columns::is_along(bits_of(r), bits(d))
+    }
+
+    #[inline(always)]
+    fn round_columns(
+        tangents: &[Vec3<I2F30>; 2],
+        lengths: [Scaled32; 2],
+        size: i32,
+        columns: [&mut Column<FixedI32<Frac>>; 2],
+    ) {
+        columns::round_columns(tangents, lengths, size, columns);
+    }
+
+    #[inline(always)]
+    fn ratio(x: Scaled32) -> i32 {
+        columns::ratio(x)
     }
 
     #[inline(always)]

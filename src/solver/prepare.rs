@@ -20,6 +20,8 @@ pub(super) struct Frame<'a, S: Scalar> {
     pub friction: S,
     pub inv_h: S::Scaled,
     pub places: Places<S>,
+    /// The inertia of either is the same about every axis.
+    pub even: bool,
 }
 
 impl<S: Scalar> Frame<'_, S> {
@@ -35,6 +37,27 @@ impl<S: Scalar> Frame<'_, S> {
             *slot = PointConstraint { feature: point.feature, ..PointConstraint::NEW };
             return;
         }
+        if self.even && self.is_through_centres(r) {
+            self.prepare_round(slot, r);
+        } else {
+            self.prepare_levers(slot, r);
+        }
+        slot.gap = S::Step::gap(point.separation, self.inv_h, self.places);
+        slot.drive = self.drive(r[0]);
+        slot.feature = point.feature;
+        slot.bearing = S::Step::bearing(&point.r_b);
+        let warm = kept.find(point.feature, slot.bearing);
+        let [along, aside_x, aside_y] = warm.impulse;
+        let moved = |impulse| S::Step::moved(impulse, warm.places, self.places);
+        slot.impulse = [moved(along), moved(aside_x), moved(aside_y)];
+        slot.lasting = along != S::ZERO;
+        (slot.total, slot.approach, slot.change, slot.gap_struck) = (S::ZERO, S::ZERO, S::ZERO, S::ZERO);
+        (slot.struck, slot.apart) = (false, false);
+    }
+
+    /// What the rows do to the bodies. In a frame of its own, which balls do without.
+    #[inline(never)]
+    fn prepare_levers(&self, slot: &mut PointConstraint<S>, r: [&Vec3<S>; 2]) {
         let [n, x, y] = [self.normal.get(), self.tangents[0].get(), self.tangents[1].get()];
         let levers = |body: &Body<S>, r, d| S::Step::levers(r, d, &body.inv_inertia_world, body.exponent);
         let (body_b, size_b) = self.b;
@@ -56,29 +79,19 @@ impl<S: Scalar> Frame<'_, S> {
         }
         slot.block = weights.block;
         slot.friction = weights.friction;
-        slot.gap = S::Step::gap(point.separation, self.inv_h, self.places);
-        slot.drive = self.drive(r[0], [&n, &x, &y]);
-        slot.feature = point.feature;
-        slot.bearing = S::Step::bearing(&point.r_b);
-        let warm = kept.find(point.feature, slot.bearing);
-        let [along, aside_x, aside_y] = warm.impulse;
-        let moved = |impulse| S::Step::moved(impulse, warm.places, self.places);
-        slot.impulse = [moved(along), moved(aside_x), moved(aside_y)];
-        slot.lasting = along != S::ZERO;
-        (slot.total, slot.approach, slot.change, slot.gap_struck) = (S::ZERO, S::ZERO, S::ZERO, S::ZERO);
-        (slot.struck, slot.apart) = (false, false);
     }
 
     /// The speed at which the surface of a body that only the caller moves goes by.
-    fn drive(&self, r: &Vec3<S>, directions: [&Vec3<S::Unit>; 3]) -> [S; 3] {
+    fn drive(&self, r: &Vec3<S>) -> [S; 3] {
         let Some(Body { linear_velocity: v, angular_velocity: w, .. }) = self.driven else { return [S::ZERO; 3] };
         if *v == Vec3::ZERO && *w == Vec3::ZERO {
             return [S::ZERO; 3];
         }
         let v = (*v + w.cross(*r)).to_array();
-        let along =
-            |d: &Vec3<S::Unit>| S::Step::lift(S::dot3_unit(v, d.to_array()).negated(), S::Step::NO_REST, self.places);
-        directions.map(along)
+        let along = |d: UnitVec3<S>| {
+            S::Step::lift(S::dot3_unit(v, d.get().to_array()).negated(), S::Step::NO_REST, self.places)
+        };
+        [along(self.normal), along(self.tangents[0]), along(self.tangents[1])]
     }
 }
 

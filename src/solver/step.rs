@@ -1,17 +1,15 @@
 //! One step over the caller's bodies.
 
-use super::constraint::{ManifoldConstraint, PointConstraint};
-use super::energy::draw_back;
-use super::integrate::{integrate_position, integrate_velocity, lift, store, store_velocity};
-use super::motion::{Motion, Pair, Part};
+use super::integrate::{lift, store, store_velocity};
+use super::motion::Part;
 use super::prepare::Frame;
 use super::settings::Settings;
-use super::touch::Touch;
+use super::stages::{Buffers, Constraints};
 use super::warm_start::{Kept, WarmStart};
 use crate::body::Body;
 use crate::contact::{Material, RestitutionLaw};
 use crate::manifold::Manifold;
-use crate::math::{Vec3, clamp, max};
+use crate::math::{Vec3, max};
 use crate::scalar::{Scalar, Scaled, StepArithmetic};
 
 type Places<S> = <<S as Scalar>::Step as StepArithmetic<S>>::Places;
@@ -22,41 +20,41 @@ const HEAD_OF_SPEEDS: u32 = 3;
 const HEAD_OF_SPINS: u32 = 1;
 const HEAD_OF_GRAVITY: u32 = 10;
 
-/// Turns by which a point's normal impulse and friction, each of which changes the other's speed, are brought to agree.
-const ROUNDS: u8 = 4;
-
-/// The working space of a step: a motion for each body, and as many manifolds and points as there may be.
-#[derive(Debug)]
-pub struct Buffers<'a, S: Scalar> {
-    /// One for each body.
-    pub motions: &'a mut [Motion<S>],
-    /// One for each pair that touches.
-    pub manifolds: &'a mut [ManifoldConstraint<S>],
-    /// One for each point.
-    pub points: &'a mut [PointConstraint<S>],
-}
-
-/// A step in the making: contacts are added, then it is [finished](Self::finish).
+/// A step in the making: contacts are added, then it is [finished](Self::finish), at once or [part](Self::advance) by part.
 #[derive(Debug)]
 pub struct Step<'a, S: Scalar> {
     constraints: Constraints<'a, S>,
-    settings: Settings<S>,
+    settings: &'a Settings<S>,
     report: StepReport,
+    /// Sub-steps so far.
+    done: u8,
 }
 
-/// The contacts of a step.
-#[derive(Debug)]
-pub struct Constraints<'a, S: Scalar> {
-    bodies: &'a mut [Body<S>],
-    buffers: Buffers<'a, S>,
+/// A step between two of its parts, without the memory that it works in.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Paused<S: Scalar> {
     manifolds: usize,
     points: usize,
     places: Places<S>,
     fall: Vec3<S>,
-    /// Bodies at rest are as fast as that.
     noise: S,
-    /// A manifold has points that rebound.
     bounces: bool,
+    report: StepReport,
+    done: u8,
+}
+
+impl<S: Scalar> Paused<S> {
+    /// Goes on, with the same bodies, memory and settings.
+    pub(crate) fn resume<'a>(
+        &self,
+        bodies: &'a mut [Body<S>],
+        buffers: Buffers<'a, S>,
+        settings: &'a Settings<S>,
+    ) -> Step<'a, S> {
+        let Self { manifolds, points, places, fall, noise, bounces, report, done } = *self;
+        let constraints = Constraints { bodies, buffers, manifolds, points, places, fall, noise, bounces };
+        Step { constraints, settings, report, done }
+    }
 }
 
 /// What a step has to say.
@@ -70,7 +68,7 @@ pub struct StepReport {
 
 impl<'a, S: Scalar> Step<'a, S> {
     /// Reads the velocities of the bodies. Bodies beyond the motions stay where they are.
-    pub fn begin(bodies: &'a mut [Body<S>], buffers: Buffers<'a, S>, settings: &Settings<S>) -> Self {
+    pub fn begin(bodies: &'a mut [Body<S>], buffers: Buffers<'a, S>, settings: &'a Settings<S>) -> Self {
         let gain = |g, places| S::Step::gain(g, settings.h, places);
         let g = settings.gravity;
         let fall =
@@ -105,7 +103,7 @@ impl<'a, S: Scalar> Step<'a, S> {
         let push_out_speed = S::Step::lift(settings.push_out_speed, S::Step::NO_REST, places);
         let noise = S::Step::times(push_out_speed, S::Unit::from_scaled(S::Scaled::ratio(1, 1000)).0);
         let constraints = Constraints { bodies, buffers, manifolds: 0, points: 0, places, fall, noise, bounces: false };
-        Self { constraints, settings: *settings, report }
+        Self { constraints, settings, report, done: 0 }
     }
 
     /// Keeps a body as it is in this step: it counts as one that nothing moves, and as if it had no velocity. To be called
@@ -138,9 +136,10 @@ impl<'a, S: Scalar> Step<'a, S> {
         let Constraints { bodies, buffers, manifolds, points, places, bounces, .. } = &mut self.constraints;
         let find = |i: u16| {
             let body = bodies.get(usize::from(i))?;
-            buffers.motions.get(usize::from(i)).map(|motion| (body, motion.size, motion.part))
+            buffers.motions.get(usize::from(i)).map(|motion| (body, motion.size, motion.part, motion.uneven))
         };
-        let (Some((body_a, size_a, part_a)), Some((body_b, size_b, part_b))) = (find(a), find(b)) else {
+        let (Some((body_a, size_a, part_a, uneven_a)), Some((body_b, size_b, part_b, uneven_b))) = (find(a), find(b))
+        else {
             return true;
         };
         if part_a == Part::Lost || part_b == Part::Lost {
@@ -171,6 +170,7 @@ impl<'a, S: Scalar> Step<'a, S> {
             friction: material.friction(),
             inv_h: self.settings.inv_h,
             places: *places,
+            even: !(a_moves && uneven_a || b_moves && uneven_b),
         };
         let mut kept = Kept::new(warm, manifold.points());
         let mut slots = slots.iter_mut();
@@ -200,23 +200,49 @@ impl<'a, S: Scalar> Step<'a, S> {
         true
     }
 
+    /// Solves up to `sub_steps` of the sub-steps that are left, and says how many are left then: a step in parts, for those who have
+    /// other things to do in between. All contacts have been added. [`finish`](Self::finish) does what remains; every bit of the
+    /// result is that of one call.
+    pub fn advance(&mut self, sub_steps: u8) -> u8 {
+        let mut turns = sub_steps.min(self.settings.sub_steps.wrapping_sub(self.done));
+        while turns > 0 {
+            self.sub_step(self.done == 0);
+            self.done = self.done.wrapping_add(1);
+            turns = turns.wrapping_sub(1);
+        }
+        self.settings.sub_steps.wrapping_sub(self.done)
+    }
+
     /// Solves the contacts and moves the bodies.
     pub fn finish(mut self) -> (Constraints<'a, S>, StepReport) {
-        let mut sub_step = 0;
-        while sub_step < self.settings.sub_steps {
-            self.sub_step(sub_step == 0);
-            sub_step = sub_step.wrapping_add(1);
-        }
+        let report = self.run();
+        (self.constraints, report)
+    }
+
+    /// The same where the step is: moving it would copy it.
+    pub(crate) fn run(&mut self) -> StepReport {
+        self.advance(u8::MAX);
         self.constraints.apply_restitution();
         let places = self.constraints.places;
         let mut motions = self.constraints.buffers.motions.iter_mut();
         for body in self.constraints.bodies.iter_mut() {
             let Some(motion) = motions.next() else { break };
             if motion.moves() {
-                self.report.saturated |= store(body, motion, &self.settings, places);
+                self.report.saturated |= store(body, motion, self.settings, places);
             }
         }
-        (self.constraints, self.report)
+        self.report
+    }
+
+    /// Lets go of the memory that it works in.
+    pub(crate) fn pause(&self) -> Paused<S> {
+        let Constraints { manifolds, points, places, fall, noise, bounces, .. } = self.constraints;
+        Paused { manifolds, points, places, fall, noise, bounces, report: self.report, done: self.done }
+    }
+
+    /// The contacts.
+    pub(crate) fn constraints(&mut self) -> &mut Constraints<'a, S> {
+        &mut self.constraints
     }
 
     /// Solves the contacts as rigid ones, at one moment: velocities change and nothing moves. Each of the `sweeps` takes the
@@ -243,12 +269,12 @@ impl<'a, S: Scalar> Step<'a, S> {
     /// Its stages have frames of their own, and share the stack.
     fn sub_step(&mut self, first: bool) {
         self.constraints.note_approaches(first);
-        self.constraints.integrate_velocities(&self.settings);
+        self.constraints.integrate_velocities(self.settings);
         if first {
             self.constraints.warm_start();
         }
-        self.constraints.solve(&self.settings);
-        self.constraints.integrate_positions(&self.settings);
+        self.constraints.solve(self.settings);
+        self.constraints.integrate_positions(self.settings);
         self.constraints.relax();
     }
 }
@@ -265,197 +291,4 @@ fn surface_speed<S: Scalar>(turned: &Body<S>, bodies: &[Body<S>]) -> S {
         }
     }
     turned.angular_velocity.taxicab().times(farthest)
-}
-
-impl<S: Scalar> Constraints<'_, S> {
-    fn integrate_velocities(&mut self, settings: &Settings<S>) {
-        let mut motions = self.buffers.motions.iter_mut();
-        for body in self.bodies.iter() {
-            let Some(motion) = motions.next() else { return };
-            if motion.moves() {
-                integrate_velocity(body, motion, &self.fall, settings.inv_h);
-            }
-        }
-    }
-
-    #[inline(never)]
-    fn integrate_positions(&mut self, settings: &Settings<S>) {
-        let mut motions = self.buffers.motions.iter_mut();
-        for body in self.bodies.iter_mut() {
-            let Some(motion) = motions.next() else { return };
-            if motion.moves() {
-                integrate_position(body, motion, settings.h, self.places);
-            }
-        }
-    }
-
-    fn note_approaches(&mut self, first: bool) {
-        if !self.bounces {
-            return;
-        }
-        let Buffers { motions, manifolds, points } = &mut self.buffers;
-        for manifold in manifolds.iter_mut().take(self.manifolds) {
-            if !manifold.bounces {
-                continue;
-            }
-            let Some(points) = points.get_mut(manifold.range()) else { return };
-            let Some(pair) = Pair::of(motions, manifold) else { return };
-            for point in points {
-                let speed = point.normal_speed(&pair, &manifold.normal);
-                point.note_approach(speed);
-                match &mut manifold.work {
-                    // The impulse is still that of the step before.
-                    Some(_) if first => point.speed = speed,
-                    Some(work) => *work = point.count_work(*work, speed),
-                    None => {}
-                }
-            }
-        }
-    }
-
-    #[inline(never)]
-    fn warm_start(&mut self) {
-        let Buffers { motions, manifolds, points } = &mut self.buffers;
-        for manifold in manifolds.iter().take(self.manifolds) {
-            let Some(points) = points.get_mut(manifold.range()) else { return };
-            let Some(mut pair) = Pair::of(motions, manifold) else { return };
-            for point in points {
-                point.warm_start(&mut pair, &manifold.normal, &manifold.tangents);
-            }
-        }
-    }
-
-    #[inline(never)]
-    fn solve(&mut self, settings: &Settings<S>) {
-        let push_out_speed = S::Step::lift(settings.push_out_speed, S::Step::NO_REST, self.places);
-        let Buffers { motions, manifolds, points } = &mut self.buffers;
-        for manifold in manifolds.iter().take(self.manifolds) {
-            let Some(points) = points.get_mut(manifold.range()) else { return };
-            let Some(mut pair) = Pair::of(motions, manifold) else { return };
-            let softness = if manifold.hard { &settings.hard } else { &settings.soft };
-            for point in points {
-                let before = point.impulse[0];
-                point.solve_normal(&mut pair, &manifold.normal, softness, push_out_speed);
-                let blow = before > push_out_speed;
-                if blow && point.impulse[0] < S::Step::half(before) {
-                    point.let_go(&mut pair, &manifold.tangents);
-                }
-            }
-        }
-    }
-
-    #[inline(never)]
-    fn relax(&mut self) {
-        let Buffers { motions, manifolds, points } = &mut self.buffers;
-        for manifold in manifolds.iter().take(self.manifolds) {
-            let Some(points) = points.get_mut(manifold.range()) else { return };
-            let Some(mut pair) = Pair::of(motions, manifold) else { return };
-            for point in points.iter_mut() {
-                point.relax_normal(&mut pair, &manifold.normal);
-            }
-            for point in points {
-                point.solve_friction(&mut pair, &manifold.tangents, point.impulse[0]);
-                point.gap = point.gap.plus(point.drive[0]);
-                point.total = point.total.plus(point.impulse[0]);
-            }
-        }
-    }
-
-    fn sweep(&mut self) {
-        let Buffers { motions, manifolds, points } = &mut self.buffers;
-        for manifold in manifolds.iter().take(self.manifolds) {
-            let Some(points) = points.get_mut(manifold.range()) else { return };
-            let Some(mut pair) = Pair::of(motions, manifold) else { return };
-            for point in points {
-                let mut round = 0;
-                while round < ROUNDS {
-                    point.relax_normal(&mut pair, &manifold.normal);
-                    point.solve_friction(&mut pair, &manifold.tangents, point.impulse[0]);
-                    round = round.wrapping_add(1);
-                }
-                point.total = point.impulse[0];
-            }
-        }
-    }
-
-    #[inline(never)]
-    fn apply_restitution(&mut self) {
-        if !self.bounces {
-            return;
-        }
-        self.note_approaches(false);
-        let threshold = self.fall.length();
-        let Buffers { motions, manifolds, points } = &mut self.buffers;
-        for manifold in manifolds.iter().take(self.manifolds) {
-            if !manifold.bounces {
-                continue;
-            }
-            let Some(points) = points.get_mut(manifold.range()) else { return };
-            let Some(mut pair) = Pair::of(motions, manifold) else { return };
-            let mut rebounds = [None; 4];
-            let mut free = rebounds.iter_mut();
-            if manifold.work.is_some() {
-                for point in points.iter_mut() {
-                    point.speed = point.normal_speed(&pair, &manifold.normal);
-                }
-            }
-            for point in points.iter_mut() {
-                let Some(rebound) = free.next() else { break };
-                if point.struck && point.approach.plus(threshold) < S::ZERO {
-                    // What else the sub-step added is no acceleration that lasts.
-                    point.change = clamp(point.change, threshold.plus(threshold));
-                    let gap = point.gap(&pair, &manifold.normal);
-                    let speed = point.rebound_speed(gap, manifold.restitution);
-                    *rebound = Some(point.rebound(&mut pair, &manifold.normal, speed));
-                }
-            }
-            if let Some(work) = manifold.work {
-                draw_back(points, &mut pair, &manifold.normal, &mut rebounds, work);
-            }
-            let mut rebounds = rebounds.iter();
-            for point in points.iter_mut() {
-                let Some(rebound) = rebounds.next() else { break };
-                if let Some(change) = rebound {
-                    let kept = point.impulse;
-                    point.solve_friction(&mut pair, &manifold.tangents, kept[0].plus(*change));
-                    point.impulse = kept;
-                }
-            }
-        }
-    }
-
-    /// How each manifold pushed in this step: calls `note` with its index, in the order added.
-    pub fn touches(&mut self, mut note: impl FnMut(usize, &Touch<S>)) {
-        let threshold = self.fall.length();
-        let noise = if threshold > self.noise { threshold } else { self.noise };
-        let (bodies, manifolds) = (&*self.bodies, &*self.buffers.manifolds);
-        let mut index = 0usize;
-        for manifold in manifolds.iter().take(self.manifolds) {
-            let Some(points) = self.buffers.points.get(manifold.range()) else { return };
-            let Some(body) = bodies.get(usize::from(manifold.b)) else { return };
-            let fall = manifold.fall(&self.fall, body, manifold.a.and_then(|a| bodies.get(usize::from(a))));
-            let mut touch = Touch::NONE;
-            for point in points {
-                touch.add(point, body.inv_mass, fall, noise, self.places);
-            }
-            note(index, &touch);
-            index = index.wrapping_add(1);
-        }
-    }
-
-    /// What to start the next step from: calls `keep` for each manifold with its index, in the order added, and its points.
-    pub fn impulses(&mut self, mut keep: impl FnMut(usize, &[WarmStart<S>])) {
-        let (mut index, places) = (0usize, self.places);
-        for manifold in self.buffers.manifolds.iter().take(self.manifolds) {
-            let Some(points) = self.buffers.points.get(manifold.range()) else { return };
-            let mut warm = [WarmStart::NONE; 4];
-            let mut free = warm.iter_mut();
-            for PointConstraint { feature, bearing, impulse, .. } in points {
-                let Some(warm) = free.next() else { break };
-                *warm = WarmStart { feature: *feature, bearing: *bearing, impulse: *impulse, places };
-            }
-            keep(index, warm.get(..points.len()).unwrap_or(&[]));
-            index = index.wrapping_add(1);
-        }
-    }
 }

@@ -1,5 +1,6 @@
 //! What is carried over from step to step, and how the points of the next one find theirs.
 
+use super::constraint::PointConstraint;
 use crate::manifold::{FeatureId, ManifoldPoint};
 use crate::scalar::{Scalar, StepArithmetic};
 
@@ -29,6 +30,14 @@ impl<S: Scalar> WarmStart<S> {
             d.wrapping_mul(d)
         };
         square(x, bearing[0]).wrapping_add(square(y, bearing[1])).wrapping_add(square(z, bearing[2]))
+    }
+}
+
+impl<S: Scalar> PointConstraint<S> {
+    /// What to start the next step from.
+    #[inline(always)]
+    pub(super) fn kept_impulses(&self, places: <S::Step as StepArithmetic<S>>::Places) -> WarmStart<S> {
+        WarmStart { feature: self.feature, bearing: self.bearing, impulse: self.impulse, places }
     }
 }
 

@@ -77,6 +77,8 @@ impl<S: Scalar> Entry<S> {
 
 /// What a contact does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Phase {
     /// The bodies did not touch before this step.
     Began,
@@ -88,6 +90,14 @@ pub enum Phase {
 
 /// Two bodies that touch, or did until this step.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "S: serde::Serialize, S::Scaled: serde::Serialize",
+        deserialize = "S: serde::Deserialize<'de>, S::Scaled: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Touching<S: Scalar> {
     /// The bodies; the first has the lower place.
     pub bodies: [BodyHandle; 2],

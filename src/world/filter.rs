@@ -2,6 +2,8 @@
 
 /// Two bodies meet where the groups of each are among those that the other meets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Filter {
     /// The groups that the body is in, one bit each.
     pub groups: u16,

@@ -12,10 +12,12 @@ use crate::contact::Material;
 use crate::math::{Pose, Vec3, min};
 use crate::scalar::Scalar;
 use crate::shape::{Collide, Shape};
-use crate::solver::{Buffers, Constraints, Settings, Step, WarmStart, drive};
+use crate::solver::{Buffers, Constraints, Paused, Settings, Step, WarmStart, drive};
 
 /// What a step has to say.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct WorldReport {
     /// The points of contact that were solved.
     pub points: u16,
@@ -39,19 +41,43 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
     /// Never fails and never panics; the report says what could not be done. The order of pairs, and so every bit of the
     /// result, depends on the state of the world alone.
     pub fn step(&mut self, settings: &Settings<S>) -> WorldReport {
+        let (paused, mut report) = self.begin(settings);
+        self.finish(&paused, settings, &mut report);
+        report
+    }
+
+    /// What comes before the sub-steps.
+    pub(super) fn begin(&mut self, settings: &Settings<S>) -> (Paused<S>, WorldReport) {
         if self.gravity != settings.gravity {
             self.gravity = settings.gravity;
             self.wake_all();
         }
         let mut report = WorldReport::default();
         self.prepare(settings.dt, &mut report);
-        self.solve(settings, &mut report);
-        self.drive(settings, &mut report);
+        (self.meet(settings, &mut report), report)
+    }
+
+    /// The sub-steps that are left, and what comes after them, in a frame of its own.
+    #[inline(never)]
+    pub(super) fn finish(&mut self, paused: &Paused<S>, settings: &Settings<S>, report: &mut WorldReport) {
+        let buffers = Buffers { motions: &mut self.motions, manifolds: &mut self.manifolds, points: &mut self.points };
+        let mut step = paused.resume(&mut self.bodies, buffers, settings);
+        report.saturated = solve(&mut step, &mut self.warm, &mut self.contacts);
+        end_others(&mut self.before, &self.contacts);
+        self.drive(settings, report);
         if !self.sleepless {
             report.asleep = self.rest(settings);
         }
         report.manifolds = self.contacts.len() as u16;
-        report
+    }
+
+    /// Up to so many of the sub-steps that are left; how many are left then.
+    pub(super) fn advance(&mut self, paused: &mut Paused<S>, settings: &Settings<S>, sub_steps: u8) -> u8 {
+        let buffers = Buffers { motions: &mut self.motions, manifolds: &mut self.manifolds, points: &mut self.points };
+        let mut step = paused.resume(&mut self.bodies, buffers, settings);
+        let left = step.advance(sub_steps);
+        *paused = step.pause();
+        left
     }
 
     /// What comes before the solver, in a frame of its own.
@@ -146,18 +172,17 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
         }
     }
 
-    /// Contacts and motion. Its parts have frames of their own: the stack is as deep as the deepest of them, not as their sum.
+    /// From boxes to contacts, in a frame of its own.
     #[inline(never)]
-    fn solve(&mut self, settings: &Settings<S>, report: &mut WorldReport) {
+    fn meet(&mut self, settings: &Settings<S>, report: &mut WorldReport) -> Paused<S> {
         let mut kept = 0usize;
         for entry in &self.contacts {
             kept = kept.wrapping_add(usize::from(entry.key.points));
         }
         let buffers = Buffers { motions: &mut self.motions, manifolds: &mut self.manifolds, points: &mut self.points };
-        let mut made = Some(begin(&mut self.bodies, buffers, settings, &self.slots));
-        let Some(step) = &mut made else { return };
+        let mut step = begin(&mut self.bodies, buffers, settings, &self.slots);
         let mut meeting = Meeting {
-            step,
+            step: &mut step,
             slots: &mut self.slots,
             shapes: &self.shapes,
             materials: &self.materials,
@@ -185,8 +210,7 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
         self.sweep.sweep(&self.boxes, &mut meeting);
         report.dropped = meeting.dropped;
         report.points = meeting.points.wrapping_sub(kept) as u16;
-        report.saturated = finish(&mut made, &mut self.warm, &mut self.contacts);
-        end_others(&mut self.before, &self.contacts);
+        step.pause()
     }
 }
 
@@ -195,7 +219,7 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
 fn begin<'a, S: Scalar>(
     bodies: &'a mut [Body<S>],
     buffers: Buffers<'a, S>,
-    settings: &Settings<S>,
+    settings: &'a Settings<S>,
     slots: &[Slot<S>],
 ) -> Step<'a, S> {
     let mut step = Step::begin(bodies, buffers, settings);
@@ -207,13 +231,11 @@ fn begin<'a, S: Scalar>(
     step
 }
 
-/// Solves and moves the bodies. Whether a number met the end of the format. (A step given by value would be copied, in the
-/// caller's frame.)
+/// Solves and moves the bodies. Whether a number met the end of the format.
 #[inline(never)]
-fn finish<S: Scalar>(step: &mut Option<Step<'_, S>>, warm: &mut [WarmStart<S>], contacts: &mut [Entry<S>]) -> bool {
-    let Some(step) = step.take() else { return false };
-    let (mut constraints, solved) = step.finish();
-    keep(&mut constraints, warm, contacts);
+fn solve<S: Scalar>(step: &mut Step<'_, S>, warm: &mut [WarmStart<S>], contacts: &mut [Entry<S>]) -> bool {
+    let solved = step.run();
+    keep(step.constraints(), warm, contacts);
     solved.saturated
 }
 
@@ -221,13 +243,11 @@ fn finish<S: Scalar>(step: &mut Option<Step<'_, S>>, warm: &mut [WarmStart<S>], 
 #[inline(never)]
 fn keep<S: Scalar>(constraints: &mut Constraints<'_, S>, warm: &mut [WarmStart<S>], contacts: &mut [Entry<S>]) {
     let mut free = keep_impulses(warm, contacts);
-    constraints.impulses(|_, impulses| {
-        for impulse in impulses {
-            if let Some(place) = warm.get_mut(free) {
-                *place = *impulse;
-            }
-            free = free.wrapping_add(1);
+    constraints.each_impulse(|impulse| {
+        if let Some(place) = warm.get_mut(free) {
+            *place = impulse;
         }
+        free = free.wrapping_add(1);
     });
     let mut entries = contacts.iter_mut().filter(|entry| entry.kind == Kind::Solved);
     constraints.touches(|_, touch| {
@@ -294,12 +314,15 @@ fn place_body<S: Scalar, Sh: Shape<S>>(
     pose: &mut Pose<S>,
     bounds: &mut Aabb<S>,
 ) {
-    pose.position = body.position;
-    pose.rotation = body.orientation().to_mat3();
-    let tight = shape.aabb(pose);
-    (slot.reach, slot.swing, slot.aside) = (S::ZERO, S::ZERO, S::Unit::ONE);
     let outer = shape.outer_radius();
     slot.ball = outer == slot.size && outer < S::LARGEST;
+    pose.position = body.position;
+    // A ball looks the same from everywhere.
+    if !slot.ball {
+        pose.rotation = body.orientation().to_mat3();
+    }
+    let tight = shape.aabb(pose);
+    (slot.reach, slot.swing, slot.aside) = (S::ZERO, S::ZERO, S::Unit::ONE);
     if slot.is_active() {
         // No turn brings the surface farther out than the ball around the shape: that of a ball nowhere.
         let mut swing = S::ZERO;

@@ -16,6 +16,9 @@ pub const TARGETS: [&str; 5] = [
 /// One target without an FPU and one with: what compiles for both does so for all.
 pub const SAMPLE_TARGETS: [&str; 2] = ["thumbv6m-none-eabi", "thumbv7em-none-eabihf"];
 
+/// The compile target of the RISC-V machine.
+pub const RISCV_TARGET: &str = "riscv32imac-unknown-none-elf";
+
 /// The feature sets that firmware is built with: one number type family each.
 pub const FEATURES: [&str; 4] = ["f32", "f64", "fixed", "micromath"];
 
@@ -33,10 +36,12 @@ pub enum Board {
     M7,
     /// Cortex-M33 with single-precision FPU (LM3S6965 memory map)
     M33,
+    /// RISC-V of 32 bits, RV32IMAC, no FPU (QEMU's virt); for `selftest`
+    Rv32,
 }
 
 impl Board {
-    /// Every board.
+    /// Every Cortex-M board.
     pub const ALL: &'static [Board] = &[Board::M0, Board::M3, Board::M4f, Board::M7, Board::M33];
 
     /// Its processor, for people.
@@ -47,6 +52,7 @@ impl Board {
             Board::M4f => "M4F",
             Board::M7 => "M7",
             Board::M33 => "M33",
+            Board::Rv32 => "RV32IMAC",
         }
     }
 
@@ -57,7 +63,13 @@ impl Board {
             Board::M3 => "thumbv7m-none-eabi",
             Board::M4f | Board::M7 => "thumbv7em-none-eabihf",
             Board::M33 => "thumbv8m.main-none-eabihf",
+            Board::Rv32 => RISCV_TARGET,
         }
+    }
+
+    /// The emulator that knows it.
+    pub fn emulator(self) -> &'static str {
+        if self == Board::Rv32 { "qemu-system-riscv32" } else { "qemu-system-arm" }
     }
 
     /// The options that make QEMU this board. QEMU 7.2 to 10 know these names.
@@ -69,6 +81,8 @@ impl Board {
             Board::M7 => &["-machine", "mps2-an500"],
             // Of the machines whose memory fits `memory.x`, this one takes the processor as an option.
             Board::M33 => &["-machine", "lm3s6965evb", "-cpu", "cortex-m33"],
+            // Without firmware of its own in machine mode.
+            Board::Rv32 => &["-machine", "virt", "-bios", "none"],
         }
     }
 }
@@ -81,6 +95,7 @@ impl fmt::Display for Board {
             Board::M4f => "m4f",
             Board::M7 => "m7",
             Board::M33 => "m33",
+            Board::Rv32 => "rv32",
         })
     }
 }

@@ -58,6 +58,11 @@ const TOSSED: &[&str] = &["--input", "{validation}/cube_tosses/cube_tosses_dev60
 /// The core's own arithmetic, under every fixed-point format alike.
 const PRODUCTS: &[Case] = &[Case { scalars: &[Scalar::I16F16], boards: Board::ALL, arguments: &[] }];
 
+/// The self-test holds several scenes: in f64 one of them outgrows the RAM, and a third fixed format the flash.
+const SELFTEST: &[Case] = &[Case { scalars: SELFTESTED, boards: Board::ALL, arguments: &[] }];
+
+const SELFTESTED: &[Scalar] = &[Scalar::F32, Scalar::I16F16, Scalar::I12F20, Scalar::Micromath];
+
 /// The cases of an example.
 pub fn cases(example: &str) -> &'static [Case] {
     match example {
@@ -68,6 +73,7 @@ pub fn cases(example: &str) -> &'static [Case] {
         "stack" => NOWHERE,
         "tosses" => TOSSES,
         "products" => PRODUCTS,
+        "selftest" => SELFTEST,
         _ => EVERYWHERE,
     }
 }
@@ -79,7 +85,7 @@ pub fn is_for(example: &str, feature: &str) -> bool {
 
 /// Whether the example's firmware is looked at with every check on, too: of those with a world, which share its code, two.
 pub fn also_checked(example: &str) -> bool {
-    !matches!(example, "billiards" | "edge" | "marble_maze" | "newtons_cradle" | "stack" | "tosses")
+    !matches!(example, "billiards" | "edge" | "marble_maze" | "newtons_cradle" | "selftest" | "stack" | "tosses")
 }
 
 /// Whether this machine runs the example unoptimised too, and compares.

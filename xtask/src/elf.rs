@@ -44,6 +44,13 @@ pub struct Options {
     yes: bool,
 }
 
+impl Options {
+    /// All of it.
+    pub fn everything(yes: bool) -> Self {
+        Self { yes, ..Self::default() }
+    }
+}
+
 /// Builds and checks, all of it even when something is wrong early on.
 pub fn run(options: &Options) -> Result<()> {
     let toolchain = setup::ensure(options.yes)?;
@@ -132,6 +139,19 @@ fn print_found(what: &str, found: &[String]) {
 fn check_file(file: &Path, fixed: bool, target: &str) -> Result<Vec<String>> {
     let bytes = std::fs::read(file).with_context(|| format!("reading {}", file.display()))?;
     check(&bytes, fixed, fixed && target.ends_with("hf"))
+}
+
+/// What by its mere name must not be in firmware that begins outside Rust: no panic, no allocator, no division of 64 bits or more,
+/// and with `fixed` no float routine.
+pub fn check_names(file: &Path, fixed: bool) -> Result<Vec<String>> {
+    let bytes = std::fs::read(file).with_context(|| format!("reading {}", file.display()))?;
+    let forbidden = |name: &str| {
+        rules::is_panic(name)
+            || rules::is_allocator(name)
+            || rules::is_wide_division(name)
+            || (fixed && rules::is_float_routine(name))
+    };
+    Ok(Image::parse(&bytes)?.names.into_iter().filter(|name| forbidden(name)).collect())
 }
 
 /// Everything that is wrong with one firmware. `no_floats`: no float routine may be in it; `no_fpu`: carom's functions

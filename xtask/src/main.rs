@@ -2,17 +2,20 @@
 
 mod bench;
 mod boards;
+mod capi;
 mod cases;
 mod demo;
 mod elf;
 mod firmware;
 mod host;
+mod licences;
 mod lint;
 mod process;
 mod qemu;
 mod setup;
 mod test;
 mod toolchain;
+mod view;
 mod workspace;
 
 use anyhow::Result;
@@ -42,7 +45,7 @@ enum Action {
     Setup(Yes),
     /// Throw dice on two boards and on this machine, and compare them bit for bit
     Demo(Yes),
-    /// Run everything: host tests in all feature sets, every example on every board, ELF checks
+    /// Run everything: host tests in all feature sets, every example on every board, ELF checks, the page in a browser
     ///
     /// The measured data sets that are not part of the repository are found through the environment variable
     /// CAROM_VALIDATION; without it, what needs them is not run, and is named.
@@ -88,6 +91,11 @@ enum Action {
         #[arg(last = true)]
         args: Vec<String>,
     },
+    /// Show an example's run: a page with a replay in three dimensions, or a picture
+    ///
+    /// Runs it with --trace, on a board in QEMU or on this machine, and writes one page that needs no network: the replay with
+    /// contacts and impulses, energy, momentum, and with --compare a ghost in another number type with its distance.
+    View(view::Options),
     /// Check linked firmware: no panics, no allocator, no 64-bit division, no floats in fixed point
     ///
     /// Follows the calls from every function of carom, and from every `kernel_...` function of an example. Without
@@ -99,8 +107,13 @@ enum Action {
     Bench(bench::Options),
     /// Draw the tables and the chart of the documentation from the snapshot of the figures, without measuring
     Chart,
+    /// The C library: its header, its archives, its package
+    #[command(subcommand)]
+    Capi(capi::Action),
     /// Run clippy for the boards (the host has plain `cargo clippy`)
     Lint(Yes),
+    /// Check the licences of what the library depends on, in all its features, against deny.toml
+    Licences,
 }
 
 #[derive(clap::Args)]
@@ -130,7 +143,7 @@ fn run(action: Action) -> Result<ExitCode> {
         Action::Test { only, yes: Yes { yes } } => test::run(only, yes)?,
         Action::Qemu { example, board, scalar, timeout, yes: Yes { yes }, args } => {
             workspace::check_example(&example)?;
-            let toolchain = setup::ensure(yes)?;
+            let toolchain = setup::ensure_for(board, yes)?;
             let build = Build { target: board.target(), feature: scalar.feature(), profile: Profile::Release };
             let elf = &build.run(&toolchain, std::slice::from_ref(&example))?[0];
             let limit = Duration::from_secs(timeout);
@@ -141,10 +154,13 @@ fn run(action: Action) -> Result<ExitCode> {
             let program = &host::build(scalar.feature(), host::Optimised::Release, std::slice::from_ref(&example))?[0];
             return Ok(status(host::stream(program, scalar, &args, Duration::from_secs(timeout))?));
         }
+        Action::View(options) => view::run(&options)?,
         Action::Elf(options) => elf::run(&options)?,
         Action::Bench(options) => bench::run(&options)?,
         Action::Chart => bench::document()?,
+        Action::Capi(action) => capi::run(action)?,
         Action::Lint(Yes { yes }) => lint::run(yes)?,
+        Action::Licences => licences::run()?,
     }
     Ok(ExitCode::SUCCESS)
 }

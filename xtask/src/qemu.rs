@@ -2,7 +2,6 @@
 
 use crate::boards::{Board, Scalar};
 use crate::process;
-use crate::setup::QEMU;
 use anyhow::{Result, bail};
 use std::path::Path;
 use std::process::{Command, ExitStatus, Stdio};
@@ -58,7 +57,7 @@ impl Run<'_> {
     }
 
     fn command(self) -> Result<Command> {
-        let mut qemu = Command::new(QEMU);
+        let mut qemu = Command::new(self.board.emulator());
         qemu.args(self.board.qemu_machine());
         if let Some(shift) = self.icount {
             qemu.args(["-icount", &format!("shift={shift}")]);

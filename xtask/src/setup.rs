@@ -4,15 +4,32 @@ mod debian;
 mod own;
 mod packages;
 
-use crate::boards::TARGETS;
+use crate::boards::{Board, RISCV_TARGET, TARGETS};
 use crate::process;
 use crate::toolchain::Toolchain;
 use anyhow::{Result, bail};
 use packages::{Manager, Package};
 use std::io::{IsTerminal, Write};
 
-/// The emulator of the boards.
-pub const QEMU: &str = "qemu-system-arm";
+/// What firmware of one kind of processor needs.
+#[derive(Clone, Copy)]
+struct Kit {
+    targets: &'static [&'static str],
+    emulator: &'static str,
+}
+
+impl Kit {
+    const CORTEX_M: Self = Self { targets: &TARGETS, emulator: "qemu-system-arm" };
+    const RISCV: Self = Self { targets: &[RISCV_TARGET], emulator: "qemu-system-riscv32" };
+
+    /// The targets, as one names them on a command line.
+    fn target_list(self) -> String {
+        self.targets.join(" ")
+    }
+}
+
+/// The names of Chromium and its kin; `xtask/browser` knows them too.
+const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 
 /// The way that `CAROM_THUMB` asks for.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -33,14 +50,24 @@ impl Way {
     }
 }
 
-/// Makes sure that everything is there and returns the compiler for firmware. Fast when there is nothing to do.
+/// Makes sure that everything for the Cortex-M boards is there and returns the compiler for firmware. Fast when there is nothing
+/// to do.
 pub fn ensure(yes: bool) -> Result<Toolchain> {
+    ensure_kit(Kit::CORTEX_M, yes)
+}
+
+/// The same for one board, which may be another kind of processor.
+pub fn ensure_for(board: Board, yes: bool) -> Result<Toolchain> {
+    ensure_kit(if board == Board::Rv32 { Kit::RISCV } else { Kit::CORTEX_M }, yes)
+}
+
+fn ensure_kit(kit: Kit, yes: bool) -> Result<Toolchain> {
     let way = Way::chosen()?;
-    let qemu_missing = process::find(QEMU).is_none();
-    let mut toolchain = installed(way);
+    let qemu_missing = process::find(kit.emulator).is_none();
+    let mut toolchain = installed(way, kit);
 
     if toolchain.is_none() && way == Way::Any && own::has_rustup() {
-        toolchain = own::add_targets(yes)?;
+        toolchain = own::add_targets(kit, yes)?;
         if toolchain.is_none() {
             eprintln!("setup: rustup could not add the targets; looking for another way");
         }
@@ -48,19 +75,20 @@ pub fn ensure(yes: bool) -> Result<Toolchain> {
 
     let mut missing = Vec::new();
     if qemu_missing {
-        missing.push(Manager::find()?.qemu());
+        missing.push(Manager::find(kit.emulator)?.qemu(kit.emulator));
     }
     if toolchain.is_none() {
-        missing.extend(debian::missing_packages(way)?);
+        missing.extend(debian::missing_packages(way, kit)?);
     }
     install(&missing, yes)?;
 
-    if qemu_missing && process::find(QEMU).is_none() {
-        bail!("the package manager installed no {QEMU}: put QEMU for Arm on PATH and try again");
+    if qemu_missing && process::find(kit.emulator).is_none() {
+        let emulator = kit.emulator;
+        bail!("the package manager installed no {emulator}: put it on PATH (it is part of QEMU) and try again");
     }
     match toolchain {
         Some(toolchain) => Ok(toolchain),
-        None => debian::build(),
+        None => debian::build(kit),
     }
 }
 
@@ -73,12 +101,43 @@ pub fn ensure_clippy(yes: bool) -> Result<Toolchain> {
     Ok(toolchain)
 }
 
+/// Makes sure that C programs can be built, for this machine and for the boards.
+pub fn ensure_c(yes: bool) -> Result<()> {
+    let missing = || packages::C_TOOLS.into_iter().filter(|tool| process::find(tool.program).is_none());
+    let names: Vec<&str> = missing().map(|tool| tool.program).collect();
+    if names.is_empty() {
+        return Ok(());
+    }
+    let programs = names.join(", ");
+    if !matches!(Manager::find(&programs), Ok(Manager::Apt)) {
+        bail!("C programs need {programs}: install what brings them on this system, so that they are on PATH");
+    }
+    install(&missing().map(|tool| tool.package()).collect::<Vec<_>>(), yes)?;
+    match missing().next() {
+        None => Ok(()),
+        Some(tool) => bail!("the package {} brought no {}: put it on PATH and try again", tool.debian, tool.program),
+    }
+}
+
+/// Makes sure that there is a Chromium, which the page of `cargo xtask view` is tried in.
+pub fn ensure_browser(yes: bool) -> Result<()> {
+    if BROWSERS.iter().any(|name| process::find(name).is_some()) {
+        return Ok(());
+    }
+    let package = Package { name: "chromium".to_owned(), why: "opens the page of `cargo xtask view`, to test it" };
+    install(&[package], yes)?;
+    if BROWSERS.iter().all(|name| process::find(name).is_none()) {
+        bail!("the package manager installed none of {}: put one on PATH and try again", BROWSERS.join(", "));
+    }
+    Ok(())
+}
+
 /// The compiler for firmware, if one is complete already.
-fn installed(way: Way) -> Option<Toolchain> {
-    if way == Way::Any && own::missing_targets().is_empty() {
+fn installed(way: Way, kit: Kit) -> Option<Toolchain> {
+    if way == Way::Any && own::missing_targets(kit).is_empty() {
         return Some(Toolchain::Own);
     }
-    debian::ready()
+    debian::ready(kit)
 }
 
 /// Says what is missing and why, asks, and has it installed.
@@ -86,7 +145,7 @@ fn install(missing: &[Package], yes: bool) -> Result<()> {
     if missing.is_empty() {
         return Ok(());
     }
-    let manager = Manager::find()?;
+    let manager = Manager::find(&missing[0].name)?;
     println!("setup: to install with {}:", manager.program());
     for package in missing {
         println!("  {:<18} {}", package.name, package.why);
@@ -108,9 +167,4 @@ fn ask(yes: bool) -> Result<()> {
         "" | "y" | "yes" => Ok(()),
         _ => bail!("nothing was installed, as you said"),
     }
-}
-
-/// The targets, as one names them on a command line.
-fn target_list() -> String {
-    TARGETS.join(" ")
 }

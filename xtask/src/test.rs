@@ -2,7 +2,11 @@
 
 mod boards;
 mod host;
+mod interop;
+mod riscv;
+mod view;
 
+use crate::capi;
 use crate::elf;
 use crate::setup;
 use anyhow::{Context, Result};
@@ -16,15 +20,22 @@ pub enum Stage {
     Host,
     /// every example on every board, its text compared with this machine's
     Boards,
+    /// the C library: its tests, its header, C examples on boards
+    C,
     /// what is in the linked firmware
     Elf,
+    /// every pinned state on RISC-V, in QEMU
+    Riscv,
+    /// firmware with other crates: what it logs by defmt, decoded; tasks of RTIC and of Embassy
+    Interop,
+    /// traces of boards and of this machine, and the page made of one in a headless Chromium
+    View,
 }
 
 /// Runs the stage, or all of them.
 pub fn run(only: Option<Stage>, yes: bool) -> Result<()> {
     let start = Instant::now();
-    let toolchain = setup::ensure(yes)?;
-    for stage in [Stage::Host, Stage::Boards, Stage::Elf] {
+    for stage in [Stage::Host, Stage::Boards, Stage::C, Stage::Elf, Stage::Riscv, Stage::Interop, Stage::View] {
         if only.unwrap_or(stage) != stage {
             continue;
         }
@@ -32,9 +43,16 @@ pub fn run(only: Option<Stage>, yes: bool) -> Result<()> {
         println!("\n== {name} ==");
         let begun = Instant::now();
         match stage {
-            Stage::Host => host::run(&toolchain),
-            Stage::Boards => boards::run(&toolchain),
-            Stage::Elf => elf::run(&elf::Options::default()),
+            Stage::Host => setup::ensure(yes).and_then(|toolchain| host::run(&toolchain)),
+            Stage::Boards => setup::ensure(yes).and_then(|toolchain| boards::run(&toolchain)),
+            Stage::C => setup::ensure(yes).and_then(|toolchain| {
+                setup::ensure_c(yes)?;
+                capi::stage::run(&toolchain)
+            }),
+            Stage::Elf => elf::run(&elf::Options::everything(yes)),
+            Stage::Riscv => riscv::run(yes),
+            Stage::Interop => interop::run(yes),
+            Stage::View => view::run(yes),
         }
         .with_context(|| format!("stage {name} failed (it alone: `cargo xtask test --only {name}`)"))?;
         println!("== {name}: passed in {} s ==", begun.elapsed().as_secs());

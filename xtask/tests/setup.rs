@@ -77,8 +77,12 @@ impl Machine {
     }
 
     fn setup(&self, environment: &[(&str, &str)]) -> Output {
+        self.run(&["setup"], environment)
+    }
+
+    fn run(&self, arguments: &[&str], environment: &[(&str, &str)]) -> Output {
         let mut setup = Command::new(env!("CARGO_BIN_EXE_xtask"));
-        setup.arg("setup").env_clear().env("PATH", self.path("bin")).env("CARGO_TARGET_DIR", self.path("target"));
+        setup.args(arguments).env_clear().env("PATH", self.path("bin")).env("CARGO_TARGET_DIR", self.path("target"));
         setup.envs(environment.iter().copied()).output().expect("the set-up starts")
     }
 
@@ -238,4 +242,31 @@ fn a_package_without_qemu_in_it_is_noticed() {
     let machine = Machine::new().with_rustup();
     machine.stub("dnf", "");
     failed_with(&machine.setup(&[]), &["installed no qemu-system-arm"]);
+}
+
+#[test]
+fn risc_v_has_an_emulator_and_a_target_of_its_own() {
+    let stage = ["test", "--only", "riscv", "--yes"];
+    let machine = Machine::new().with_qemu();
+    TARGETS.split_whitespace().for_each(|target| machine.add_target(target));
+    machine.add_target("riscv32imac-unknown-none-elf");
+    let output = machine.run(&stage, &[]);
+    assert!(text(&output.stderr).contains("qemu-system-riscv32 is missing"), "{}", text(&output.stderr));
+    for (manager, call) in [
+        ("apt-get", "apt-get install -y --no-install-recommends --no-remove qemu-system-misc"),
+        ("pacman", "pacman -Sy --noconfirm --needed qemu-system-riscv"),
+        ("apk", "apk add qemu-system-riscv32"),
+    ] {
+        let machine = Machine::new().with_qemu();
+        machine.stub("rustup", "exit 1");
+        machine.add_target("riscv32imac-unknown-none-elf");
+        machine.stub_manager(manager);
+        let output = machine.run(&stage, &[]);
+        assert!(text(&output.stderr).contains("installed no qemu-system-riscv32"), "{}", text(&output.stderr));
+        assert!(machine.calls().contains(&call.to_owned()), "{:?}", machine.calls());
+    }
+    let machine = Machine::new().with_qemu().with_rustup();
+    TARGETS.split_whitespace().for_each(|target| machine.add_target(target));
+    machine.run(&stage, &[]);
+    assert_eq!(machine.calls(), ["rustup target add riscv32imac-unknown-none-elf"]);
 }

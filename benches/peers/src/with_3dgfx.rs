@@ -6,7 +6,7 @@
 use crate::harness::{Call, call};
 use crate::measure::{self, Impact, Peer};
 use embedded_3dgfx::physics::{BodyId, Contact, PhysicsWorld, RigidBody};
-use nalgebra_035::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 type World = PhysicsWorld<2>;
 

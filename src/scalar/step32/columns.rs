@@ -22,6 +22,9 @@ pub const TURN: u32 = 26;
 /// Fraction bits of a ratio.
 pub const RATIO: u32 = 20;
 
+/// The symmetric matrix that changes nothing.
+pub const EVEN: [i32; 3] = [1 << RATIO, 0, 1 << RATIO];
+
 /// r x d and I^-1 (r x d) for three directions: blocks of Q2.30.
 #[derive(Clone, Copy, Debug)]
 pub struct StepLevers32 {
@@ -106,7 +109,7 @@ where
     let (inv_normal, inv_tangent) = (inverted(normal, unit), inverted(tangent, unit));
     // Of a ball the matrix is a multiple of one, up to rounding.
     let uneven = aside.wrapping_add(xx.wrapping_sub(yy).wrapping_abs());
-    let block = if uneven <= tangent >> 16 { [1 << RATIO, 0, 1 << RATIO] } else { block(xx, xy, yy, tangent) };
+    let block = if uneven <= tangent >> 16 { EVEN } else { block(xx, xy, yy, tangent) };
     // mu tangent/normal, in units of 2^-20.
     let factor = narrow::<30>(product(tangent, inv_normal.mantissa()));
     let down = unit.wrapping_add(Frac::I32 - RATIO as i32).wrapping_sub(inv_normal.exponent());
@@ -147,6 +150,40 @@ where
     let places = 30i32.wrapping_sub(levers.arm_exponent).wrapping_sub(Frac::I32);
     let [arm, ..] = levers.arms;
     magnitude(arm).wrapping_shr(places.clamp(0, 31) as u32) <= 1
+}
+
+/// Whether no component of r x d is two units of the last place of `r`, `d` in Q2.30.
+#[inline(always)]
+pub fn is_along(r: [i32; 3], d: [i32; 3]) -> bool {
+    let m = [d[0].wrapping_neg(), d[1].wrapping_neg(), d[2].wrapping_neg()];
+    let is_small = |area: i64| area.wrapping_add(1 << 31) as u64 >> 32 == 0;
+    is_small(dot2([r[1], r[2]], [d[2], m[1]]))
+        && is_small(dot2([r[2], r[0]], [d[0], m[2]]))
+        && is_small(dot2([r[0], r[1]], [d[1], m[0]]))
+}
+
+/// Arms and turns of a ball's columns, whose lengths these are, along the other tangent.
+#[inline(never)]
+pub fn round_columns<F: LeEqU32>(
+    [x, y]: &[Vec3<I2F30>; 2],
+    [reach, turn]: [Scaled32; 2],
+    size: i32,
+    [first, second]: [&mut Column<FixedI32<F>>; 2],
+) where
+    FixedI32<F>: Scalar<Unit = I2F30>,
+{
+    let arm =
+        fitted::<{ ARM + 1 }>(reach.mantissa(), size.wrapping_sub(reach.exponent()).wrapping_add(30 - ARM as i32));
+    let turn = fitted::<30>(
+        turn.mantissa(),
+        0i32.wrapping_sub(turn.exponent()).wrapping_sub(size).wrapping_add(30 - TURN as i32),
+    );
+    let along = |d: [i32; 3], length| {
+        let part = |d| round::<30>(product(d, length));
+        unit_vector([part(d[0]), part(d[1]), part(d[2])])
+    };
+    (first.arm, first.turn) = (along(bits(y), arm), along(bits(y), turn));
+    (second.arm, second.turn) = (along(bits(x), arm.wrapping_neg()), along(bits(x), turn.wrapping_neg()));
 }
 
 /// A vector `x / 2^down` rounded, within +-2^PLACES, for any `down` and components up to 2^30.
@@ -235,13 +272,14 @@ fn block(xx: i32, xy: i32, yy: i32, tangent: i32) -> [i32; 3] {
     let (xx, xy, yy, tangent) = (number(xx), number(xy), number(yy), number(tangent));
     let determinant = xx * yy - xy * xy;
     if determinant <= tangent * tangent * <Scaled32 as Scaled>::EPSILON {
-        return [1 << RATIO, 0, 1 << RATIO];
+        return EVEN;
     }
     let factor = tangent / determinant;
     [ratio(yy * factor), ratio(-(xy * factor)), ratio(xx * factor)]
 }
 
+/// In units of 2^-RATIO.
 #[inline(always)]
-fn ratio(x: Scaled32) -> i32 {
+pub fn ratio(x: Scaled32) -> i32 {
     clip(shift_product(x.mantissa() as i64, (30 - RATIO as i32).wrapping_sub(x.exponent()))).0.max(-i32::MAX)
 }

@@ -3,8 +3,7 @@
 //! the package manager.
 
 use super::packages::{Manager, Package};
-use super::{Way, own, target_list};
-use crate::boards::TARGETS;
+use super::{Kit, Way, own};
 use crate::process;
 use crate::toolchain::{Toolchain, debian_program};
 use crate::workspace;
@@ -22,18 +21,17 @@ const WHYS: [&str; 3] =
     ["compiles firmware", "drives the compiler", "the source of `core`, to be built for the boards"];
 
 /// The finished toolchain, if the one that was built still fits the compiler.
-pub fn ready() -> Option<Toolchain> {
+pub fn ready(kit: Kit) -> Option<Toolchain> {
     if !has_apt() || !Path::new(CARGO).is_file() {
         return None;
     }
-    let stamp = std::fs::read_to_string(stamp_file()).ok()?;
-    let current = stamp == compiler_version()?;
-    let complete = TARGETS.iter().all(|target| own::has_core(&sysroot(), target));
+    let current = std::fs::read_to_string(stamp_file()).ok()? == compiler_version()?;
+    let complete = kit.targets.iter().all(|target| own::has_core(&sysroot(), target));
     (current && complete).then(toolchain).flatten()
 }
 
 /// The packages that this way still needs.
-pub fn missing_packages(way: Way) -> Result<Vec<Package>> {
+pub fn missing_packages(way: Way, kit: Kit) -> Result<Vec<Package>> {
     if !has_apt() {
         let reason = match way {
             Way::Debian => "CAROM_THUMB=debian needs Debian's package manager, and it is not here",
@@ -43,10 +41,10 @@ pub fn missing_packages(way: Way) -> Result<Vec<Package>> {
         bail!(
             "the Rust targets for the boards are missing ({reason}): run `rustup target add {}` on this machine \
              (rustup is at https://rustup.rs), then try again",
-            target_list()
+            kit.target_list()
         );
     }
-    let family = family()?;
+    let family = family(kit)?;
     let mut missing = Vec::new();
     if family.iter().any(|name| !is_installed(name)) || compiler_release() < Some(oldest_rust()?) {
         // All three, so that they are of one version.
@@ -60,15 +58,15 @@ pub fn missing_packages(way: Way) -> Result<Vec<Package>> {
 
 /// The package with the compiler's clippy, unless it is there.
 pub fn missing_clippy() -> Result<Vec<Package>> {
-    let name = if family()?[0] == "rustc-web" { "rust-web-clippy" } else { "rust-clippy" };
+    let name = if family(Kit::CORTEX_M)?[0] == "rustc-web" { "rust-web-clippy" } else { "rust-clippy" };
     if is_installed(name) {
         return Ok(Vec::new());
     }
     Ok(vec![Package { name: name.to_owned(), why: "checks the firmware's source" }])
 }
 
-/// Builds `core` and `alloc` for every target into the private sysroot.
-pub fn build() -> Result<Toolchain> {
+/// Builds `core` and `alloc` for the targets into the private sysroot, beside those that an older call built with this compiler.
+pub fn build(kit: Kit) -> Result<Toolchain> {
     let version = compiler_version().with_context(|| format!("{RUSTC} does not run"))?;
     let scratch = workspace::target_dir().join("thumb-sysroot-build");
     let output = scratch.join("target");
@@ -87,7 +85,7 @@ pub fn build() -> Result<Toolchain> {
     cargo.env("RUSTC", RUSTC).env("RUSTC_BOOTSTRAP", "1").env("RUSTFLAGS", "-Cembed-bitcode=yes");
     cargo.args(["build", "--release", "--target-dir"]).arg(&output);
     cargo.args(["-Zbuild-std=core,alloc,compiler_builtins", "-Zbuild-std-features=compiler-builtins-mem"]);
-    for target in TARGETS {
+    for target in kit.targets {
         cargo.args(["--target", target]);
     }
     // The source package holds its dependencies: nothing is downloaded.
@@ -100,8 +98,12 @@ pub fn build() -> Result<Toolchain> {
     process::run(&mut cargo).context("building `core` from Debian's source")?;
 
     // The stamp goes first and comes last: a sysroot without it is not trusted.
-    let _ = std::fs::remove_dir_all(sysroot());
-    for target in TARGETS {
+    if std::fs::read_to_string(stamp_file()).is_ok_and(|stamp| stamp == version) {
+        std::fs::remove_file(stamp_file())?;
+    } else {
+        let _ = std::fs::remove_dir_all(sysroot());
+    }
+    for target in kit.targets {
         copy_libraries(&output.join(target).join("release/deps"), target)?;
     }
     std::fs::write(stamp_file(), version)?;
@@ -172,7 +174,7 @@ fn newest_lld() -> String {
 }
 
 /// The packages to use: what is installed if it is new enough, else the newest.
-fn family() -> Result<[&'static str; 3]> {
+fn family(kit: Kit) -> Result<[&'static str; 3]> {
     let oldest = oldest_rust()?;
     if compiler_release() >= Some(oldest)
         && let Some(family) = FAMILIES.into_iter().find(|family| is_installed(family[0]))
@@ -189,7 +191,7 @@ fn family() -> Result<[&'static str; 3]> {
         format!(
             "neither rustup nor a Debian package brings Rust 1.{oldest} or newer for the boards: \
              install rustup from https://rustup.rs, run `rustup target add {}`, and try again",
-            target_list()
+            kit.target_list()
         )
     })
 }

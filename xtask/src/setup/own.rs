@@ -1,7 +1,6 @@
 //! The compiler of the cargo that runs us, and rustup, which can add targets to it.
 
-use super::{ask, target_list};
-use crate::boards::TARGETS;
+use super::{Kit, ask};
 use crate::process;
 use crate::toolchain::Toolchain;
 use crate::workspace;
@@ -10,12 +9,12 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The targets that the compiler has no `core` for.
-pub fn missing_targets() -> Vec<&'static str> {
+pub fn missing_targets(kit: Kit) -> Vec<&'static str> {
     let Some(sysroot) = sysroot() else {
-        return TARGETS.to_vec();
+        return kit.targets.to_vec();
     };
     let missing = |target: &&&str| !has_core(&sysroot, target);
-    TARGETS.iter().filter(missing).copied().collect()
+    kit.targets.iter().filter(missing).copied().collect()
 }
 
 /// Whether there is a compiled `core` for the target in this sysroot.
@@ -41,17 +40,17 @@ pub fn has_rustup() -> bool {
 }
 
 /// Has rustup add the missing targets; `None` when it cannot.
-pub fn add_targets(yes: bool) -> Result<Option<Toolchain>> {
-    println!("setup: to add to the Rust toolchain, so that it compiles firmware: {}", target_list());
-    println!("  rustup target add {}", target_list());
+pub fn add_targets(kit: Kit, yes: bool) -> Result<Option<Toolchain>> {
+    println!("setup: to add to the Rust toolchain, so that it compiles firmware: {}", kit.target_list());
+    println!("  rustup target add {}", kit.target_list());
     ask(yes)?;
     let mut rustup = Command::new("rustup");
-    rustup.args(["target", "add"]).args(TARGETS).current_dir(workspace::root());
+    rustup.args(["target", "add"]).args(kit.targets).current_dir(workspace::root());
     if let Err(error) = process::run(&mut rustup) {
         eprintln!("setup: {error:#}");
         return Ok(None);
     }
-    Ok(missing_targets().is_empty().then_some(Toolchain::Own))
+    Ok(missing_targets(kit).is_empty().then_some(Toolchain::Own))
 }
 
 fn sysroot() -> Option<PathBuf> {

@@ -11,6 +11,30 @@ pub struct Package {
     pub why: &'static str,
 }
 
+/// A program that C programs are built with, and Debian's package with it.
+#[derive(Clone, Copy, Debug)]
+pub struct Tool {
+    pub program: &'static str,
+    pub debian: &'static str,
+    why: &'static str,
+}
+
+/// What building, packaging and linking C programs takes.
+pub const C_TOOLS: [Tool; 5] = [
+    Tool { program: "arm-none-eabi-gcc", debian: "gcc-arm-none-eabi", why: "compiles C for the boards" },
+    Tool { program: "gcc", debian: "gcc", why: "compiles C for this machine" },
+    Tool { program: "g++", debian: "g++", why: "compiles C++ for this machine" },
+    Tool { program: "cmake", debian: "cmake", why: "builds C projects" },
+    Tool { program: "pkg-config", debian: "pkg-config", why: "tells C projects where libraries are" },
+];
+
+impl Tool {
+    /// As something to install.
+    pub fn package(self) -> Package {
+        Package { name: self.debian.to_owned(), why: self.why }
+    }
+}
+
 /// A package manager that we know how to talk to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Manager {
@@ -26,11 +50,13 @@ const ALL: [Manager; 6] = [Manager::Apt, Manager::Dnf, Manager::Pacman, Manager:
 
 impl Manager {
     /// The one of this machine.
-    pub fn find() -> Result<Self> {
-        ALL.into_iter().find(|manager| process::find(manager.program()).is_some()).context(
-            "qemu-system-arm is missing and so is any package manager to install it with \
-             (apt-get, dnf, pacman, zypper, apk, brew): put QEMU for Arm on PATH and try again",
-        )
+    pub fn find(wanted: &str) -> Result<Self> {
+        ALL.into_iter().find(|manager| process::find(manager.program()).is_some()).with_context(|| {
+            format!(
+                "{wanted} is missing and so is any package manager to install it with \
+                 (apt-get, dnf, pacman, zypper, apk, brew): put it on PATH and try again"
+            )
+        })
     }
 
     /// Its program.
@@ -45,12 +71,17 @@ impl Manager {
         }
     }
 
-    /// The package that brings `qemu-system-arm`.
-    pub fn qemu(self) -> Package {
-        let name = match self {
-            Manager::Zypper => "qemu-arm",
-            Manager::Brew => "qemu",
-            _ => "qemu-system-arm",
+    /// The package that brings an emulator.
+    pub fn qemu(self, emulator: &str) -> Package {
+        let name = match (self, emulator) {
+            (Manager::Brew, _) => "qemu",
+            (Manager::Zypper, "qemu-system-arm") => "qemu-arm",
+            (Manager::Zypper, _) => "qemu-extra",
+            // Debian has it among others, from release 13 on by itself.
+            (Manager::Apt, "qemu-system-riscv32") if has_package("qemu-system-riscv") => "qemu-system-riscv",
+            (Manager::Apt, "qemu-system-riscv32") => "qemu-system-misc",
+            (Manager::Dnf | Manager::Pacman, "qemu-system-riscv32") => "qemu-system-riscv",
+            (_, emulator) => emulator,
         };
         Package { name: name.to_owned(), why: "emulates the boards that firmware runs on" }
     }
@@ -109,6 +140,12 @@ impl Manager {
         command.args(arguments).env("DEBIAN_FRONTEND", "noninteractive");
         Ok(command)
     }
+}
+
+/// Whether apt's lists have it.
+fn has_package(name: &str) -> bool {
+    let policy = process::stdout_of(Command::new("apt-cache").args(["policy", name])).unwrap_or_default();
+    policy.lines().any(|line| line.trim().starts_with("Candidate: ") && !line.contains("(none)"))
 }
 
 fn run(command: &mut Command) -> Result<()> {

@@ -11,6 +11,10 @@ use std::time::Instant;
 /// What runs in each number type alone: with all of them in one build the other tests have seen it.
 const ALONE: [&str; 4] = ["--test", "determinism", "--test", "properties"];
 
+/// Features that add other crates' traits, and the one of them that needs `std`.
+const INTEROP: [&str; 3] = ["defmt", "mint", "serde"];
+const INTEROP_ON_HOSTS: &str = "arbitrary";
+
 /// Runs the stage.
 pub fn run(toolchain: &Toolchain) -> Result<()> {
     for set in [&["--all-features"][..], &["--package", "xtask"]] {
@@ -31,6 +35,16 @@ pub fn run(toolchain: &Toolchain) -> Result<()> {
         for target in SAMPLE_TARGETS {
             process::run(check(&mut toolchain.cargo("check", target), &features))?;
         }
+    }
+    println!("  with the traits of other crates: each feature alone, and together in every number type");
+    for feature in INTEROP.into_iter().chain([INTEROP_ON_HOSTS]) {
+        let mut cargo = own_cargo();
+        cargo.arg("check").arg("--target-dir").arg(workspace::target_dir());
+        process::run(check(&mut cargo, feature))?;
+    }
+    for target in SAMPLE_TARGETS {
+        let features = FEATURES.into_iter().chain(INTEROP).collect::<Vec<_>>().join(",");
+        process::run(check(&mut toolchain.cargo("check", target), &features))?;
     }
     Ok(())
 }

@@ -4,7 +4,7 @@ use crate::harness::Call;
 use crate::harness::scene::Play;
 use crate::measure::{FRICTION, GRAVITY, Peer, RADIUS, STEP, Scene, to_the_end};
 use embedded_3dgfx::physics::{BodyId, Collider, PhysicsWorld, RigidBody};
-use nalgebra_035::Vector3;
+use nalgebra::Vector3;
 
 /// Contacts of a step, at most.
 const CONTACTS: usize = 16;

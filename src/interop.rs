@@ -1,0 +1,55 @@
+//! carom beside other crates: what the features `mint`, `serde`, `defmt` and `arbitrary` add.
+//!
+//! Each is an optional dependency without its default features, and adds implementations of that crate's traits to the public
+//! types; no type or function of carom changes. None of them costs a firmware anything that it does not use.
+//!
+//! | feature | adds | for |
+//! |---|---|---|
+//! | `mint` | `From` and `TryFrom` between [`Vec3`](crate::Vec3), [`UnitVec3`](crate::UnitVec3), [`Quat`](crate::Quat), [`Mat3`](crate::Mat3) and mint's types | glam, nalgebra, cgmath and others |
+//! | `serde` | `Serialize`, `Deserialize` | files, links between machines |
+//! | `defmt` | `Format` | logs of firmware |
+//! | `arbitrary` | `Arbitrary` | fuzzers, on the host: that crate needs `std` |
+//!
+//! # mint
+//!
+//! In any number type. What carom keeps normalised comes in through `TryFrom`, with the error of its constructor: a quaternion or
+//! direction whose square is off by more than 2^-16 is refused. Normalise it first (`Quat::normalize`, `UnitVec3::normalize`).
+//! Fixed point has components of directions in Q2.30 ([`Scalar::Unit`](crate::Scalar::Unit)), so has the mint type then.
+//!
+//! # serde
+//!
+//! Values: vectors, directions, orientations, tensors, poses, boxes, materials, contacts, solids, mass properties, bodies, spheres,
+//! cuboids, capsules, half-spaces, handles, filters, and what a step and an impulse report. Numbers go as the number type's own
+//! implementation writes them: f32 and f64 as floats, fixed point as `{"bits": n}`. `micromath::F32` has none.
+//!
+//! What goes out comes back bit for bit, a body with all that it carries beyond its format. What comes in passes the checks of the
+//! constructors, so that no file makes a direction that is not of unit length or a body of negative mass; a body that is not finite
+//! is refused, too. JSON has no infinities, and keeps every bit of a float where the reader rounds right (`float_roundtrip` of
+//! `serde_json`).
+//!
+//! Shapes that borrow (hulls by reference, height fields, compounds) are not values. A set made by [`shapes!`](crate::shapes) takes
+//! the derives like any enum, with a bound that names the numbers in it. A [`World`](crate::World) is kept by
+//! [`copy_from`](crate::World::copy_from).
+//!
+//! # defmt
+//!
+//! Public values and errors. Fixed-point numbers are sent as the bits of an `f64`, put together from integers: exact to 30 bits,
+//! without one float routine on the device. Errors print their text, which stays in the ELF file.
+//!
+//! # arbitrary
+//!
+//! Any value that safe code could make: vectors with any bits in them, NaN included; directions, orientations, materials, shapes and
+//! bodies as their constructors would give them.
+
+#[cfg(feature = "arbitrary")]
+#[cfg_attr(docsrs, doc(cfg(feature = "arbitrary")))]
+mod arbitrary;
+#[cfg(feature = "defmt")]
+#[cfg_attr(docsrs, doc(cfg(feature = "defmt")))]
+mod defmt;
+#[cfg(feature = "mint")]
+#[cfg_attr(docsrs, doc(cfg(feature = "mint")))]
+mod mint;
+#[cfg(feature = "serde")]
+#[cfg_attr(docsrs, doc(cfg(feature = "serde")))]
+mod serde;
