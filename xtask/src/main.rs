@@ -10,6 +10,7 @@ mod firmware;
 mod host;
 mod licences;
 mod lint;
+mod new;
 mod process;
 mod qemu;
 mod setup;
@@ -22,6 +23,7 @@ use anyhow::Result;
 use boards::{Board, Scalar};
 use clap::{Parser, Subcommand};
 use firmware::{Build, Profile};
+use std::path::PathBuf;
 use std::process::{ExitCode, ExitStatus};
 use std::time::Duration;
 
@@ -53,6 +55,16 @@ enum Action {
         /// Only this stage
         #[arg(long, value_name = "STAGE")]
         only: Option<test::Stage>,
+        #[command(flatten)]
+        yes: Yes,
+    },
+    /// Begin firmware of your own: a marble maze in a folder outside this one, which `cargo run --release` runs in QEMU
+    New {
+        /// A folder that is empty or not there yet
+        folder: PathBuf,
+        /// The board
+        #[arg(long, default_value_t = Board::M0)]
+        board: Board,
         #[command(flatten)]
         yes: Yes,
     },
@@ -141,6 +153,7 @@ fn run(action: Action) -> Result<ExitCode> {
         }
         Action::Demo(Yes { yes }) => demo::run(yes)?,
         Action::Test { only, yes: Yes { yes } } => test::run(only, yes)?,
+        Action::New { folder, board, yes: Yes { yes } } => new::run(&folder, board, yes)?,
         Action::Qemu { example, board, scalar, timeout, yes: Yes { yes }, args } => {
             workspace::check_example(&example)?;
             let toolchain = setup::ensure_for(board, yes)?;

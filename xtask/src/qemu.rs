@@ -10,6 +10,11 @@ use std::time::Duration;
 /// QEMU's lm3s6965evb says so of a timer that nobody uses.
 const HARMLESS: &str = "Timer with period zero";
 
+/// No window, no serial line, no prompt: QEMU leaves the terminal alone, and Ctrl-C ends it.
+pub const QUIET: [&str; 6] = ["-display", "none", "-serial", "none", "-monitor", "none"];
+/// The debug channel leads to this machine.
+pub const SEMIHOSTING: &str = "enable=on,target=native";
+
 /// The longest command line that `examples/board` takes, in bytes.
 const COMMAND_LINE: usize = 256;
 
@@ -62,9 +67,8 @@ impl Run<'_> {
         if let Some(shift) = self.icount {
             qemu.args(["-icount", &format!("shift={shift}")]);
         }
-        // No window, no serial line, no prompt: QEMU leaves the terminal alone, and Ctrl-C ends it.
-        qemu.args(["-display", "none", "-serial", "none", "-monitor", "none"]);
-        let mut semihosting = "enable=on,target=native".to_owned();
+        qemu.args(QUIET);
+        let mut semihosting = SEMIHOSTING.to_owned();
         let scalar = self.scalar.to_string();
         let mut words = vec![self.example, "--scalar", &scalar];
         words.extend(self.arguments.iter().map(String::as_str));

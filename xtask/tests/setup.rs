@@ -183,7 +183,10 @@ fn an_unknown_way_is_refused() {
 #[test]
 fn qemu_comes_from_the_package_manager() {
     let managers = [
-        ("apt-get", "apt-get install -y --no-install-recommends --no-remove qemu-system-arm"),
+        (
+            "apt-get",
+            "apt-get install -y --no-install-recommends --no-remove -o DPkg::Lock::Timeout=600 qemu-system-arm",
+        ),
         ("dnf", "dnf install -y qemu-system-arm"),
         ("pacman", "pacman -Sy --noconfirm --needed qemu-system-arm"),
         ("zypper", "zypper --non-interactive install qemu-arm"),
@@ -253,7 +256,10 @@ fn risc_v_has_an_emulator_and_a_target_of_its_own() {
     let output = machine.run(&stage, &[]);
     assert!(text(&output.stderr).contains("qemu-system-riscv32 is missing"), "{}", text(&output.stderr));
     for (manager, call) in [
-        ("apt-get", "apt-get install -y --no-install-recommends --no-remove qemu-system-misc"),
+        (
+            "apt-get",
+            "apt-get install -y --no-install-recommends --no-remove -o DPkg::Lock::Timeout=600 qemu-system-misc",
+        ),
         ("pacman", "pacman -Sy --noconfirm --needed qemu-system-riscv"),
         ("apk", "apk add qemu-system-riscv32"),
     ] {

@@ -112,8 +112,10 @@ impl Manager {
 
     fn install_arguments(self) -> &'static [&'static str] {
         match self {
-            // Never at the price of something that is there.
-            Manager::Apt => &["install", "-y", "--no-install-recommends", "--no-remove"],
+            // Never at the price of something that is there; after whoever else installs something, the system itself for one.
+            Manager::Apt => {
+                &["install", "-y", "--no-install-recommends", "--no-remove", "-o", "DPkg::Lock::Timeout=600"]
+            }
             Manager::Dnf => &["install", "-y"],
             Manager::Pacman => &["-Sy", "--noconfirm", "--needed"],
             Manager::Zypper => &["--non-interactive", "install"],
