@@ -159,11 +159,10 @@ impl<S: Scalar> Body<S> {
     /// No number on which the motion depends is an infinity or NaN.
     #[inline(always)]
     pub(crate) fn is_finite(&self) -> bool {
-        let [w, x, y, z] = self.orientation.to_array();
         self.position.is_finite()
             && self.linear_velocity.is_finite()
             && self.angular_velocity.is_finite()
-            && (w.is_finite() && x.is_finite() && y.is_finite() && z.is_finite())
+            && self.orientation.is_finite()
             && (self.gravity_scale.is_finite() && self.linear_damping.is_finite() && self.angular_damping.is_finite())
     }
 
@@ -185,7 +184,7 @@ impl<S: Scalar> Body<S> {
         self.orientation.rotate(local_point)
     }
 
-    /// The state is finite; always so in fixed point.
+    /// Every number on which the motion depends is finite; always so in fixed point.
     ///
     /// # Errors
     /// [`BodyError`] names the first field with an infinity or NaN in it.
@@ -198,6 +197,15 @@ impl<S: Scalar> Body<S> {
         }
         if !self.angular_velocity.is_finite() {
             return Err(BodyError::AngularVelocity);
+        }
+        if !self.orientation.is_finite() {
+            return Err(BodyError::Orientation);
+        }
+        if !self.gravity_scale.is_finite() {
+            return Err(BodyError::GravityScale);
+        }
+        if !(self.linear_damping.is_finite() && self.angular_damping.is_finite()) {
+            return Err(BodyError::Damping);
         }
         Ok(())
     }

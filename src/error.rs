@@ -53,7 +53,7 @@ errors! {
         /// There is no place left.
         Full => "world: it is full; give it a larger number of BODIES, or remove one",
         /// A number in the body is infinite or NaN.
-        NotFinite => "body: its position or velocity is not finite",
+        NotFinite => "body: a number in it is not finite; Body::check names it",
     }
 
     /// A direction that cannot be a [`UnitVec3`](crate::UnitVec3).
@@ -180,5 +180,11 @@ errors! {
         LinearVelocity => "body: the linear velocity is not finite",
         /// The angular velocity.
         AngularVelocity => "body: the angular velocity is not finite",
+        /// The orientation.
+        Orientation => "body: the orientation is not finite",
+        /// The gravity scale.
+        GravityScale => "body: the gravity scale is not finite",
+        /// A damping.
+        Damping => "body: the linear or the angular damping is not finite",
     }
 }

@@ -163,7 +163,17 @@ pub use shape::{
 };
 pub use world::{BodyHandle, World};
 
-// The README's examples compile and run.
+// The examples of the README and of the guide compile and run.
 #[cfg(all(doctest, feature = "f32"))]
-#[doc = include_str!("../README.md")]
-mod readme {}
+mod pages {
+    #[doc = include_str!("../README.md")]
+    mod readme {}
+    #[doc = include_str!("../docs/guide/impulse.md")]
+    mod impulse {}
+    #[doc = include_str!("../docs/guide/solver.md")]
+    mod solver {}
+    #[doc = include_str!("../docs/guide/world.md")]
+    mod world {}
+    #[doc = include_str!("../docs/guide/format.md")]
+    mod format {}
+}

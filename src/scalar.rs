@@ -308,7 +308,7 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
 pub const MAX_SLIP_ITERATIONS: usize = 24;
 
 /// Intermediate results of the kernel: a small floating-point arithmetic of its own in fixed point
-/// ([`Scaled32`]), the float itself otherwise. Operators round to the nearest and never panic.
+/// (`Scaled32`), the float itself otherwise. Operators round to the nearest and never panic.
 pub trait Scaled:
     Copy
     + Default

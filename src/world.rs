@@ -215,6 +215,22 @@ impl<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: u
         Ok(())
     }
 
+    /// Which bodies it meets.
+    ///
+    /// # Errors
+    /// [`HandleError`]: the body is not there any more.
+    pub fn filter(&self, handle: BodyHandle) -> Result<Filter, HandleError> {
+        self.slots.get(self.find(handle)?).map(|slot| slot.filter).ok_or(HandleError::Stale)
+    }
+
+    /// Whether it is a sensor.
+    ///
+    /// # Errors
+    /// [`HandleError`]: the body is not there any more.
+    pub fn is_sensor(&self, handle: BodyHandle) -> Result<bool, HandleError> {
+        self.slots.get(self.find(handle)?).map(|slot| slot.sensor).ok_or(HandleError::Stale)
+    }
+
     /// Whether it sleeps.
     ///
     /// # Errors

@@ -213,6 +213,8 @@ fn filters_and_sensors<S: HostScalar>(name: &str) {
     stage.world.set_sensor(gate, true).expect("a body");
     let of_ghosts = Filter { groups: 2, meets: u16::MAX };
     stage.world.set_filter(ghost, of_ghosts).expect("a body");
+    assert_eq!((stage.world.is_sensor(gate), stage.world.is_sensor(ball)), (Ok(true), Ok(false)), "{name}");
+    assert_eq!(stage.world.filter(ghost), Ok(of_ghosts), "{name}");
     stage.world.set_filter(stage.ground, Filter { groups: 1, meets: !2 }).expect("a body");
     let (mut seen, mut inside) = (vec![], 0);
     for _ in 0..120 {
@@ -408,34 +410,50 @@ fn walls_stop_what_is_fast<S: HostScalar>(name: &str) {
     assert_eq!(crossed, 0, "{name}");
 }
 
-/// In floats a number that is not finite stays with its body.
+/// In floats a number that is not finite stays with its body, whichever of its numbers it is.
 #[cfg(feature = "f32")]
 #[test]
 fn what_is_not_finite_is_quarantined() {
-    for poison in [f32::NAN, f32::INFINITY] {
-        let mut stage = Stage::<f32>::new(0.5, 0.0);
-        let sick = stage.solid(1.0, Shape::Sphere(0.5), [0.0, 0.5, 0.0]);
-        let well = stage.solid(1.0, Shape::Sphere(0.5), [0.02, 1.4995, 0.0]);
-        stage.run(0.1);
-        stage.world.body_mut(sick).expect("a body").linear_velocity.y = poison;
-        stage.step();
-        assert_eq!(stage.report.quarantined, 1);
-        assert_eq!(stage.world.is_quarantined(sick), Ok(true));
-        let of_it = stage.world.contacts().filter(|contact| contact.bodies.contains(&sick));
-        let phases: Vec<Phase> = of_it.map(|contact| contact.phase).collect();
-        assert!(phases.iter().all(|phase| *phase == Phase::Ended) && !phases.is_empty(), "{phases:?}");
-        stage.run(0.2);
-        assert!(stage.world.body(well).expect("a body").check().is_ok());
-        assert!(stage.world.contacts().all(|contact| contact.phase == Phase::Ended || !contact.bodies.contains(&sick)));
-        let mended = stage.world.body_mut(sick).expect("a body");
-        mended.linear_velocity = vector([0.0; 3]);
-        stage.run(0.3);
-        assert_eq!(stage.report.quarantined, 0);
+    use carom::BodyError::{AngularVelocity, Damping, GravityScale, LinearVelocity, Position};
+    type Place = fn(&mut Body<f32>) -> &mut f32;
+    let places: [(Place, carom::BodyError); 6] = [
+        (|body| &mut body.position.x, Position),
+        (|body| &mut body.linear_velocity.y, LinearVelocity),
+        (|body| &mut body.angular_velocity.z, AngularVelocity),
+        (|body| &mut body.gravity_scale, GravityScale),
+        (|body| &mut body.linear_damping, Damping),
+        (|body| &mut body.angular_damping, Damping),
+    ];
+    for (place, error) in places {
+        for poison in [f32::NAN, f32::INFINITY] {
+            let mut stage = Stage::<f32>::new(0.5, 0.0);
+            let sick = stage.solid(1.0, Shape::Sphere(0.5), [0.0, 0.5, 0.0]);
+            let well = stage.solid(1.0, Shape::Sphere(0.5), [0.02, 1.4995, 0.0]);
+            stage.run(0.1);
+            let sound = *stage.world.body(sick).expect("a body");
+            *place(stage.world.body_mut(sick).expect("a body")) = poison;
+            stage.step();
+            assert_eq!(stage.report.quarantined, 1, "{error}");
+            assert_eq!(stage.world.is_quarantined(sick), Ok(true), "{error}");
+            let of_it = stage.world.contacts().filter(|contact| contact.bodies.contains(&sick));
+            let phases: Vec<Phase> = of_it.map(|contact| contact.phase).collect();
+            assert!(phases.iter().all(|phase| *phase == Phase::Ended) && !phases.is_empty(), "{error}: {phases:?}");
+            stage.run(0.2);
+            assert!(stage.world.body(well).expect("a body").check().is_ok(), "{error}");
+            let ended =
+                |contact: carom::world::Touching<f32>| contact.phase == Phase::Ended || !contact.bodies.contains(&sick);
+            assert!(stage.world.contacts().all(ended), "{error}");
+
+            let body = *stage.world.body(sick).expect("a body");
+            assert_eq!(body.check(), Err(error));
+            let shape = Shape::Sphere(0.5).build::<f32>();
+            assert_eq!(stage.world.insert(body, shape, Material::DEAD), Err(InsertError::NotFinite), "{error}");
+
+            *stage.world.body_mut(sick).expect("a body") = sound;
+            stage.run(0.3);
+            assert_eq!(stage.report.quarantined, 0, "{error}");
+        }
     }
-    let mut stage = Stage::<f32>::new(0.5, 0.0);
-    let body = Body::immovable().at(carom::Vec3::new(f32::NAN, 0.0, 0.0));
-    let material = Material::DEAD;
-    assert_eq!(stage.world.insert(body, Shape::Sphere(0.5).build::<f32>(), material), Err(InsertError::NotFinite));
 }
 
 /// A world costs no flash: all its bits are zero, so that it lies where a program has no bytes of its own.

@@ -57,9 +57,13 @@ impl<S: Scalar> Quat<S> {
         Self { w, x, y, z }
     }
 
+    #[inline(always)]
+    pub(crate) fn is_finite(self) -> bool {
+        self.w.is_finite() && self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
+    }
+
     fn check(self) -> Result<(), OrientationError> {
-        let [w, x, y, z] = self.to_array();
-        if !(w.is_finite() && x.is_finite() && y.is_finite() && z.is_finite()) {
+        if !self.is_finite() {
             return Err(OrientationError::NotFinite);
         }
         if self.to_array() == [S::Unit::ZERO; 4] {

@@ -87,6 +87,12 @@ impl<S: Scalar> Settings<S> {
         self
     }
 
+    /// The sub-steps of a step.
+    #[must_use]
+    pub const fn sub_steps(&self) -> u8 {
+        self.sub_steps
+    }
+
     /// The length of a step in seconds, for [forces](Body::apply_force) that act over one. One division: to 2^-29 of it in
     /// fixed point.
     #[must_use]

@@ -7,6 +7,7 @@ mod cases;
 mod demo;
 mod elf;
 mod firmware;
+mod guide;
 mod host;
 mod licences;
 mod lint;
@@ -119,6 +120,8 @@ enum Action {
     Bench(bench::Options),
     /// Draw the tables and the chart of the documentation from the snapshot of the figures, without measuring
     Chart,
+    /// Make the guide of docs/ a book, and check the links of all pages
+    Guide,
     /// The C library: its header, its archives, its package
     #[command(subcommand)]
     Capi(capi::Action),
@@ -171,6 +174,7 @@ fn run(action: Action) -> Result<ExitCode> {
         Action::Elf(options) => elf::run(&options)?,
         Action::Bench(options) => bench::run(&options)?,
         Action::Chart => bench::document()?,
+        Action::Guide => guide::build()?,
         Action::Capi(action) => capi::run(action)?,
         Action::Lint(Yes { yes }) => lint::run(yes)?,
         Action::Licences => licences::run()?,

@@ -8,6 +8,7 @@ mod view;
 
 use crate::capi;
 use crate::elf;
+use crate::guide;
 use crate::setup;
 use anyhow::{Context, Result};
 use clap::ValueEnum;
@@ -30,12 +31,16 @@ pub enum Stage {
     Interop,
     /// traces of boards and of this machine, and the page made of one in a headless Chromium
     View,
+    /// the book of docs/, the links of all pages, and the firmware that `cargo xtask new` begins
+    Guide,
 }
 
 /// Runs the stage, or all of them.
 pub fn run(only: Option<Stage>, yes: bool) -> Result<()> {
     let start = Instant::now();
-    for stage in [Stage::Host, Stage::Boards, Stage::C, Stage::Elf, Stage::Riscv, Stage::Interop, Stage::View] {
+    for stage in
+        [Stage::Host, Stage::Boards, Stage::C, Stage::Elf, Stage::Riscv, Stage::Interop, Stage::View, Stage::Guide]
+    {
         if only.unwrap_or(stage) != stage {
             continue;
         }
@@ -53,6 +58,7 @@ pub fn run(only: Option<Stage>, yes: bool) -> Result<()> {
             Stage::Riscv => riscv::run(yes),
             Stage::Interop => interop::run(yes),
             Stage::View => view::run(yes),
+            Stage::Guide => guide::test(yes),
         }
         .with_context(|| format!("stage {name} failed (it alone: `cargo xtask test --only {name}`)"))?;
         println!("== {name}: passed in {} s ==", begun.elapsed().as_secs());

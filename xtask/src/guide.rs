@@ -1,0 +1,74 @@
+//! `cargo xtask guide`: the book of `docs/`, and whether what its pages say of firmware is what is there.
+
+use crate::boards::Board;
+use crate::new;
+use crate::process;
+use crate::toolchain::own_cargo;
+use crate::workspace;
+use anyhow::{Context, Result, bail};
+use std::process::Command;
+use std::time::Duration;
+
+/// The page that begins firmware, and the example that it goes through.
+const PAGE: &str = "docs/guide/maze.md";
+/// A cold build of a small package takes most of it.
+const LIMIT: Duration = Duration::from_secs(600);
+
+/// Builds the book and says where it is.
+pub fn build() -> Result<()> {
+    process::run(own_cargo().args(["run", "--quiet", "--package", "carom-book", "--"]).arg(workspace::root()))
+}
+
+/// The stage `guide` of `cargo xtask test`.
+pub fn test(yes: bool) -> Result<()> {
+    process::run(own_cargo().args(["test", "--quiet", "--package", "carom-book"]))?;
+    build()?;
+    let page = read(PAGE)?;
+    check_fragments(&page)?;
+    let folder = tempfile::tempdir()?;
+    let firmware = folder.path().join("my-marble");
+    new::run(&firmware, Board::M0, yes)?;
+    // As somebody would run it, who has set nothing.
+    let mut cargo = Command::new("cargo");
+    cargo.args(["run", "--quiet", "--release"]).current_dir(&firmware).stdout(std::process::Stdio::piped());
+    for name in ["RUSTC", "RUSTFLAGS", "CARGO_TARGET_DIR", "CARGO_ENCODED_RUSTFLAGS", "RUSTUP_TOOLCHAIN"] {
+        cargo.env_remove(name);
+    }
+    let end = process::run_for(&mut cargo, LIMIT)?;
+    let text = String::from_utf8_lossy(&end.stdout);
+    let mut shown = block(&page, "text");
+    let (Some(first), Some(last)) = (shown.next(), shown.next()) else { bail!("{PAGE} shows no output") };
+    let good = end.status.is_some_and(|status| status.success());
+    if !good || !text.starts_with(first) || !text.ends_with(last) {
+        bail!("the firmware of `cargo xtask new` does not print what {PAGE} says ({:?}):\n{text}", end.status);
+    }
+    println!("  {}", text.lines().last().unwrap_or_default());
+    Ok(())
+}
+
+/// What the page shows of the firmware stands in it.
+fn check_fragments(page: &str) -> Result<()> {
+    let source = read("examples/template/src/main.rs")?;
+    let mut fragments = block(page, "rust,ignore").peekable();
+    if fragments.peek().is_none() {
+        bail!("{PAGE} shows nothing of examples/template/src/main.rs");
+    }
+    for fragment in fragments {
+        if !source.contains(fragment.trim_end()) {
+            bail!("{PAGE} shows what is not in examples/template/src/main.rs:\n{fragment}");
+        }
+    }
+    Ok(())
+}
+
+/// The fenced blocks of a language.
+fn block<'a>(page: &'a str, language: &str) -> impl Iterator<Item = &'a str> {
+    let fence = format!("```{language}\n");
+    let parts: Vec<&str> = page.split(&fence).skip(1).collect();
+    parts.into_iter().filter_map(|rest| rest.split("```").next())
+}
+
+fn read(file: &str) -> Result<String> {
+    let path = workspace::root().join(file);
+    std::fs::read_to_string(&path).with_context(|| format!("reading {}", path.display()))
+}
