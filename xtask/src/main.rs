@@ -56,6 +56,9 @@ enum Action {
         /// Only this stage
         #[arg(long, value_name = "STAGE")]
         only: Option<test::Stage>,
+        /// Remove what a stage has built once it has passed, where the disk is small
+        #[arg(long)]
+        tidy: bool,
         #[command(flatten)]
         yes: Yes,
     },
@@ -155,7 +158,7 @@ fn run(action: Action) -> Result<ExitCode> {
             println!("setup: all there");
         }
         Action::Demo(Yes { yes }) => demo::run(yes)?,
-        Action::Test { only, yes: Yes { yes } } => test::run(only, yes)?,
+        Action::Test { only, tidy, yes: Yes { yes } } => test::run(only, yes, tidy)?,
         Action::New { folder, board, yes: Yes { yes } } => new::run(&folder, board, yes)?,
         Action::Qemu { example, board, scalar, timeout, yes: Yes { yes }, args } => {
             workspace::check_example(&example)?;

@@ -10,6 +10,7 @@ use crate::capi;
 use crate::elf;
 use crate::guide;
 use crate::setup;
+use crate::workspace;
 use anyhow::{Context, Result};
 use clap::ValueEnum;
 use std::time::Instant;
@@ -35,11 +36,11 @@ pub enum Stage {
     Guide,
 }
 
-/// Runs the stage, or all of them.
-pub fn run(only: Option<Stage>, yes: bool) -> Result<()> {
+/// Runs the stage, or all of them; with `tidy`, what one has built goes when nothing after it uses it.
+pub fn run(only: Option<Stage>, yes: bool, tidy: bool) -> Result<()> {
     let start = Instant::now();
     for stage in
-        [Stage::Host, Stage::Boards, Stage::C, Stage::Elf, Stage::Riscv, Stage::Interop, Stage::View, Stage::Guide]
+        [Stage::Host, Stage::Boards, Stage::Elf, Stage::C, Stage::Riscv, Stage::Interop, Stage::View, Stage::Guide]
     {
         if only.unwrap_or(stage) != stage {
             continue;
@@ -62,7 +63,21 @@ pub fn run(only: Option<Stage>, yes: bool) -> Result<()> {
         }
         .with_context(|| format!("stage {name} failed (it alone: `cargo xtask test --only {name}`)"))?;
         println!("== {name}: passed in {} s ==", begun.elapsed().as_secs());
+        // The ELF stage goes on with what the boards' has built.
+        if tidy && stage != Stage::Boards {
+            clear()?;
+        }
     }
     println!("\nall passed in {} s", start.elapsed().as_secs());
+    Ok(())
+}
+
+/// Removes firmware and release builds of this machine, without what is slow to make anew: the boards' `core` and ourselves.
+fn clear() -> Result<()> {
+    for folder in ["debian", "release"].map(|name| workspace::target_dir().join(name)) {
+        if folder.is_dir() {
+            std::fs::remove_dir_all(&folder).with_context(|| format!("removing {}", folder.display()))?;
+        }
+    }
     Ok(())
 }
