@@ -37,6 +37,7 @@ fn run() -> Result<()> {
     }
     book.with_preprocessor(Outside);
     book.build()?;
-    println!("{}", book.build_dir_for("html").join("index.html").display());
+    let index = book.build_dir_for("html").join("index.html");
+    println!("{}", index.canonicalize().unwrap_or(index).display());
     Ok(())
 }
