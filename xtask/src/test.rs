@@ -1,6 +1,7 @@
 //! `cargo xtask test`: everything, stage by stage, up to the first failure.
 
 mod boards;
+mod hardware;
 mod host;
 mod interop;
 mod riscv;
@@ -28,6 +29,8 @@ pub enum Stage {
     Riscv,
     /// firmware with other crates: what it logs by defmt, decoded; tasks of RTIC and of Embassy
     Interop,
+    /// firmware for real boards: it builds, fits, and holds what it may
+    Hardware,
     /// traces of boards and of this machine, and the page made of one in a headless Chromium
     View,
 }
@@ -35,7 +38,7 @@ pub enum Stage {
 /// Runs the stage, or all of them.
 pub fn run(only: Option<Stage>, yes: bool) -> Result<()> {
     let start = Instant::now();
-    for stage in [Stage::Host, Stage::Boards, Stage::C, Stage::Elf, Stage::Riscv, Stage::Interop, Stage::View] {
+    for &stage in Stage::value_variants() {
         if only.unwrap_or(stage) != stage {
             continue;
         }
@@ -52,6 +55,7 @@ pub fn run(only: Option<Stage>, yes: bool) -> Result<()> {
             Stage::Elf => elf::run(&elf::Options::everything(yes)),
             Stage::Riscv => riscv::run(yes),
             Stage::Interop => interop::run(yes),
+            Stage::Hardware => hardware::run(yes),
             Stage::View => view::run(yes),
         }
         .with_context(|| format!("stage {name} failed (it alone: `cargo xtask test --only {name}`)"))?;
