@@ -3,6 +3,8 @@
 
 mod emulated;
 mod part;
+#[cfg(test)]
+mod tests;
 
 use crate::elf;
 use crate::process;
