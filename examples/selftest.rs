@@ -72,8 +72,8 @@ fn float_environment() -> bool {
 /// What a scene comes to; `None` where it is not in this build.
 fn state<S: Scalar>(scene: &str) -> Option<u64> {
     match scene {
-        "impacts" => apart(all_impacts::<S>),
-        "billiard_break" => apart(broken_rack::<S>),
+        "impacts" => apart(impacts::hash::<S>),
+        "billiard_break" => apart(table::hash::<S>),
         "edge" => apart(edge::hash::<S>),
         "newtons_cradle" if ALL => apart(cradle::hash::<S>),
         "dice" if ALL => apart(dice::hash::<S>),
@@ -90,20 +90,4 @@ fn state<S: Scalar>(scene: &str) -> Option<u64> {
 #[inline(never)]
 fn apart(scene: impl FnOnce() -> Option<u64>) -> Option<u64> {
     scene()
-}
-
-fn all_impacts<S: Scalar>() -> Option<u64> {
-    let mut scene = impacts::Scene::<S>::new()?;
-    for _ in 0..impacts::IMPACTS {
-        scene.step()?;
-    }
-    Some(scene.hash())
-}
-
-fn broken_rack<S: Scalar>() -> Option<u64> {
-    let mut table = table::Table::<S>::new()?;
-    for _ in 0..table::STEPS {
-        table.step();
-    }
-    Some(table.hash())
 }

@@ -99,6 +99,15 @@ impl<S: Scalar> Scene<S> {
     }
 }
 
+/// The hash after all impacts.
+pub fn hash<S: Scalar>() -> Option<u64> {
+    let mut scene = Scene::<S>::new()?;
+    for _ in 0..IMPACTS {
+        scene.step()?;
+    }
+    Some(scene.hash())
+}
+
 #[inline(never)]
 fn kernel_impact<S: Scalar>(
     a: &mut Body<S>,

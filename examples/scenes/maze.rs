@@ -83,14 +83,25 @@ impl<'w, S: Scalar> Maze<'w, S> {
         Some(Self { world, settings: settings(RATE, SUB_STEPS)?, marble, steps: 0, reached: None, dropped: 0 })
     }
 
+    /// A step under the hand of the trace.
     pub fn step(&mut self) {
-        // Gravity is the opposite of what a sensor at rest shows.
         if let Some(sample) = TRACE.get((self.steps / STEPS_OF_SAMPLE) as usize) {
-            let [x, y, z] = sample.map(|part| S::from_ratio(i32::from(part) * -(GRAVITY / 100), 10_000));
-            if let (Ok(x), Ok(y), Ok(z)) = (x, y, z) {
-                self.settings.gravity = Vec3::new(x, y, z);
-            }
+            self.tilt(*sample);
         }
+        self.advance();
+    }
+
+    /// Gravity as a sensor in the maze's frame shows it, in thousandths of the acceleration of free fall.
+    pub fn tilt(&mut self, sample: [i16; 3]) {
+        // The opposite of what a sensor at rest shows.
+        let [x, y, z] = sample.map(|part| S::from_ratio(i32::from(part) * -(GRAVITY / 100), 10_000));
+        if let (Ok(x), Ok(y), Ok(z)) = (x, y, z) {
+            self.settings.gravity = Vec3::new(x, y, z);
+        }
+    }
+
+    /// A step under gravity as it is.
+    pub fn advance(&mut self) {
         let report = kernel_step(self.world, &self.settings);
         self.steps = self.steps.wrapping_add(1);
         self.dropped = self.dropped.wrapping_add(u32::from(report.dropped));

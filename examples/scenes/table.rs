@@ -194,6 +194,13 @@ impl<S: Scalar> Table<S> {
     }
 }
 
+/// The hash after the break.
+pub fn hash<S: Scalar>() -> Option<u64> {
+    let mut table = Table::<S>::new()?;
+    (0..STEPS).for_each(|_| table.step());
+    Some(table.hash())
+}
+
 /// From decimetres.
 fn metres<S: Scalar>(v: Vec3<S>) -> [S; 2] {
     [v.x, v.y].map(|x| S::from_scaled(x.to_scaled() * S::Scaled::ratio(1, 10)).0)

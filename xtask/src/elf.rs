@@ -136,7 +136,7 @@ fn print_found(what: &str, found: &[String]) {
 }
 
 /// Everything that is wrong with one firmware; `fixed` where it computes in fixed point only.
-fn check_file(file: &Path, fixed: bool, target: &str) -> Result<Vec<String>> {
+pub fn check_file(file: &Path, fixed: bool, target: &str) -> Result<Vec<String>> {
     let bytes = std::fs::read(file).with_context(|| format!("reading {}", file.display()))?;
     check(&bytes, fixed, fixed && target.ends_with("hf"))
 }

@@ -1,6 +1,7 @@
 //! `cargo xtask test`: everything, stage by stage, up to the first failure.
 
 mod boards;
+mod hardware;
 mod host;
 mod interop;
 mod riscv;
@@ -22,14 +23,16 @@ pub enum Stage {
     Host,
     /// every example on every board, its text compared with this machine's
     Boards,
-    /// the C library: its tests, its header, C examples on boards
-    C,
     /// what is in the linked firmware
     Elf,
+    /// the C library: its tests, its header, C examples on boards
+    C,
     /// every pinned state on RISC-V, in QEMU
     Riscv,
     /// firmware with other crates: what it logs by defmt, decoded; tasks of RTIC and of Embassy
     Interop,
+    /// firmware for real boards: it builds, fits, and holds what it may
+    Hardware,
     /// traces of boards and of this machine, and the page made of one in a headless Chromium
     View,
     /// the book of docs/, the links of all pages, and the firmware that `cargo xtask new` begins
@@ -39,9 +42,7 @@ pub enum Stage {
 /// Runs the stage, or all of them; with `tidy`, what one has built goes when nothing after it uses it.
 pub fn run(only: Option<Stage>, yes: bool, tidy: bool) -> Result<()> {
     let start = Instant::now();
-    for stage in
-        [Stage::Host, Stage::Boards, Stage::Elf, Stage::C, Stage::Riscv, Stage::Interop, Stage::View, Stage::Guide]
-    {
+    for &stage in Stage::value_variants() {
         if only.unwrap_or(stage) != stage {
             continue;
         }
@@ -58,6 +59,7 @@ pub fn run(only: Option<Stage>, yes: bool, tidy: bool) -> Result<()> {
             Stage::Elf => elf::run(&elf::Options::everything(yes)),
             Stage::Riscv => riscv::run(yes),
             Stage::Interop => interop::run(yes),
+            Stage::Hardware => hardware::run(yes),
             Stage::View => view::run(yes),
             Stage::Guide => guide::test(yes),
         }
