@@ -21,7 +21,8 @@ pub fn build() -> Result<()> {
 
 /// The stage `guide` of `cargo xtask test`.
 pub fn test(yes: bool) -> Result<()> {
-    process::run(own_cargo().args(["test", "--quiet", "--package", "carom-book"]))?;
+    // In the profile that the book is built with: mdBook is compiled once.
+    process::run(own_cargo().args(["test", "--quiet", "--profile", "dev", "--package", "carom-book"]))?;
     build()?;
     let page = read(PAGE)?;
     check_fragments(&page)?;
