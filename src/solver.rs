@@ -38,6 +38,6 @@ pub use self::settings::{Settings, SettingsError};
 pub use self::softness::Softness;
 pub use self::stages::{Buffers, Constraints};
 pub(crate) use self::step::Paused;
-pub use self::step::{Added, Step, StepReport};
+pub use self::step::{Step, StepReport};
 pub use self::touch::Touch;
 pub use self::warm_start::WarmStart;

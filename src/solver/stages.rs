@@ -199,7 +199,7 @@ impl<S: Scalar> Constraints<'_, S> {
         }
     }
 
-    /// How each manifold pushed in this step: calls `note` with the [number](super::Added::Solved) of each, in that order.
+    /// How each manifold pushed in this step: calls `note` with its index, in the order added.
     pub fn touches(&mut self, mut note: impl FnMut(usize, &Touch<S>)) {
         let threshold = self.fall.length();
         let noise = if threshold > self.noise { threshold } else { self.noise };
@@ -218,8 +218,7 @@ impl<S: Scalar> Constraints<'_, S> {
         }
     }
 
-    /// What to start the next step from: calls `keep` with the [number](super::Added::Solved) of each manifold, in that order, and
-    /// its points.
+    /// What to start the next step from: calls `keep` for each manifold with its index, in the order added, and its points.
     pub fn impulses(&mut self, mut keep: impl FnMut(usize, &[WarmStart<S>])) {
         let (mut index, places) = (0usize, self.places);
         for manifold in self.buffers.manifolds.iter().take(self.manifolds) {

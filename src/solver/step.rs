@@ -57,18 +57,6 @@ impl<S: Scalar> Paused<S> {
     }
 }
 
-/// What became of a manifold.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Added {
-    /// The step solves it, as its manifold of that number, counted from 0: the one by which it tells of
-    /// [touches](Constraints::touches) and [impulses](Constraints::impulses).
-    Solved(usize),
-    /// There is nothing to solve: no points, neither body moves, or one is not there or not finite.
-    Idle,
-    /// There is no room for it: the step leaves it out.
-    NoRoom,
-}
-
 /// What a step has to say.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StepReport {
@@ -135,13 +123,16 @@ impl<'a, S: Scalar> Step<'a, S> {
 
     /// Adds the manifold between the bodies `a` and `b`. Points with the feature of one in `warm`, or near one whose
     /// feature is gone, start with its impulses.
+    ///
+    /// False where nothing was added for lack of room. (Nor is anything added, or missed, where neither body moves, or for bodies
+    /// that are not there or not finite.)
     pub fn add(
         &mut self,
         [a, b]: [u16; 2],
         manifold: &Manifold<S>,
         material: &Material<S>,
         warm: &[WarmStart<S>],
-    ) -> Added {
+    ) -> bool {
         let Constraints { bodies, buffers, manifolds, points, places, bounces, .. } = &mut self.constraints;
         let find = |i: u16| {
             let body = bodies.get(usize::from(i))?;
@@ -149,21 +140,19 @@ impl<'a, S: Scalar> Step<'a, S> {
         };
         let (Some((body_a, size_a, part_a, uneven_a)), Some((body_b, size_b, part_b, uneven_b))) = (find(a), find(b))
         else {
-            return Added::Idle;
+            return true;
         };
         if part_a == Part::Lost || part_b == Part::Lost {
-            return Added::Idle;
+            return true;
         }
         let (a_moves, b_moves) = (part_a == Part::Moves, part_b == Part::Moves);
         let count = manifold.points().len();
         if count == 0 || a == b || !(a_moves || b_moves) {
-            return Added::Idle;
+            return true;
         }
-        let Ok(first) = u16::try_from(*points) else { return Added::NoRoom };
+        let Ok(first) = u16::try_from(*points) else { return false };
         let free = buffers.points.get_mut(*points..points.wrapping_add(count));
-        let (Some(slots), Some(slot)) = (free, buffers.manifolds.get_mut(*manifolds)) else {
-            return Added::NoRoom;
-        };
+        let (Some(slots), Some(slot)) = (free, buffers.manifolds.get_mut(*manifolds)) else { return false };
         // The second body is one that moves.
         let swapped = !b_moves;
         let normal = if swapped { -manifold.normal } else { manifold.normal };
@@ -206,10 +195,9 @@ impl<'a, S: Scalar> Step<'a, S> {
             slot.restitution = S::Unit::from_scaled(material.restitution().to_scaled()).0;
             *bounces = true;
         }
-        let number = *manifolds;
-        *manifolds = number.wrapping_add(1);
+        *manifolds = manifolds.wrapping_add(1);
         *points = points.wrapping_add(count);
-        Added::Solved(number)
+        true
     }
 
     /// Solves up to `sub_steps` of the sub-steps that are left, and says how many are left then: a step in parts, for those who have

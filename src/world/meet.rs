@@ -11,7 +11,7 @@ use crate::manifold::Manifold;
 use crate::math::{Pose, min};
 use crate::scalar::Scalar;
 use crate::shape::{Collide, ManifoldSink};
-use crate::solver::{Added, Step, WarmStart};
+use crate::solver::{Step, WarmStart};
 
 /// The part of a size within which surfaces count as near, as a power of two: 0.4 %.
 const NEAR: u32 = 8;
@@ -191,16 +191,11 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const MANIFOLDS: usize> ManifoldSink<S> for 
             let first = usize::from(key.first);
             self.warm.get(first..first.saturating_add(usize::from(key.points)))
         });
-        let added = if self.contacts.is_full() {
-            Added::NoRoom
-        } else {
-            self.step.add(self.pair, self.manifold, &self.material, warm.unwrap_or(&[]))
-        };
-        match added {
-            Added::Solved(_) => self.enter(part, self.manifold.points().len() as u8, Kind::Solved, former),
-            Added::NoRoom => self.dropped = self.dropped.saturating_add(1),
-            Added::Idle => {}
+        if self.contacts.is_full() || !self.step.add(self.pair, self.manifold, &self.material, warm.unwrap_or(&[])) {
+            self.dropped = self.dropped.saturating_add(1);
+            return;
         }
+        self.enter(part, self.manifold.points().len() as u8, Kind::Solved, former);
     }
 }
 

@@ -1,7 +1,7 @@
 //! Bodies and contacts over time, by the solver alone: a few pairs of shapes by hand.
 #![allow(dead_code)]
 
-use carom::solver::{Added, Buffers, ManifoldConstraint, Motion, PointConstraint, Settings, Step, WarmStart};
+use carom::solver::{Buffers, ManifoldConstraint, Motion, PointConstraint, Settings, Step, WarmStart};
 use carom::{
     Body, Collide, Cuboid, HalfSpace, Manifold, MassProperties, Material, Pose, Quat, Scalar, Sphere, UnitVec3, Vec3,
 };
@@ -137,15 +137,9 @@ impl<S: HostScalar> Scene<S> {
         let mut step = Step::begin(&mut self.bodies, buffers, &self.settings);
         self.held.iter().for_each(|i| step.hold(*i));
         self.contacts = found.iter().map(|(_, manifold)| manifold.points().len()).sum();
-        let mut solved = vec![];
         for (pair, manifold) in &found {
             let warm = self.kept.iter().find(|(kept, _)| kept == pair).map_or(&[][..], |(_, warm)| warm);
-            match step.add(*pair, manifold, &self.material, warm) {
-                Added::Solved(number) => assert_eq!(number, solved.len()),
-                Added::Idle => continue,
-                Added::NoRoom => panic!("no room"),
-            }
-            solved.push(*pair);
+            assert!(step.add(*pair, manifold, &self.material, warm), "no room");
         }
         let (mut constraints, report) = step.finish();
         self.saturated |= report.saturated;
@@ -158,7 +152,7 @@ impl<S: HostScalar> Scene<S> {
         });
         self.kept.clear();
         let kept = &mut self.kept;
-        constraints.impulses(|index, warm| kept.push((solved[index], warm.to_vec())));
+        constraints.impulses(|index, warm| kept.push((found[index].0, warm.to_vec())));
     }
 
     pub fn run(&mut self, seconds: f64) {

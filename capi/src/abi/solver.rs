@@ -1,6 +1,6 @@
 //! A step of the solver over the caller's own bodies and manifolds.
 
-use carom::solver::{Added, Buffers, ManifoldConstraint, Motion, PointConstraint, Step, WarmStart};
+use carom::solver::{Buffers, ManifoldConstraint, Motion, PointConstraint, Step, WarmStart};
 use carom::{Body, FeatureId, Manifold, ManifoldPoint, Scalar};
 use core::ffi::c_void;
 use core::mem::MaybeUninit;
@@ -227,16 +227,18 @@ macro_rules! solver {
             let mut step = Step::begin(bodies, buffers, &settings);
             for manifold in manifolds.iter_mut() {
                 let places = [manifold.a, manifold.b];
+                let moves = |place: u16| step.bodies().get(usize::from(place)).is_some_and(|body| !body.is_immovable());
+                manifold.solved = u32::from(manifold.point_count > 0 && (moves(manifold.a) || moves(manifold.b)));
+                (manifold.normal_impulse, manifold.approach_speed) = Default::default();
+                if manifold.solved == 0 {
+                    manifold.warm_count = 0;
+                    continue;
+                }
                 let (shape, material) = (manifold.core()?, manifold.material.core()?);
                 let count = manifold.warm_count as usize;
                 let warm = manifold.warm().get(..count).unwrap_or(&[]);
                 // There is room for all.
-                let added = step.add(places, &shape, &material, warm);
-                (manifold.normal_impulse, manifold.approach_speed) = Default::default();
-                manifold.solved = u32::from(matches!(added, Added::Solved(_)));
-                if manifold.solved == 0 {
-                    manifold.warm_count = 0;
-                }
+                let _ = step.add(places, &shape, &material, warm);
             }
             let (mut constraints, report) = step.finish();
             let mut solved = manifolds.iter_mut().filter(|manifold| manifold.solved != 0);
