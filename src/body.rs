@@ -156,12 +156,16 @@ impl<S: Scalar> Body<S> {
         self.unblocked(&self.inv_inertia_world)
     }
 
+    /// Its place and velocities are no infinity or NaN.
+    #[inline(always)]
+    pub(crate) fn motion_is_finite(&self) -> bool {
+        self.position.is_finite() && self.linear_velocity.is_finite() && self.angular_velocity.is_finite()
+    }
+
     /// No number on which the motion depends is an infinity or NaN.
     #[inline(always)]
     pub(crate) fn is_finite(&self) -> bool {
-        self.position.is_finite()
-            && self.linear_velocity.is_finite()
-            && self.angular_velocity.is_finite()
+        self.motion_is_finite()
             && self.orientation.is_finite()
             && (self.gravity_scale.is_finite() && self.linear_damping.is_finite() && self.angular_damping.is_finite())
     }
