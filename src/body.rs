@@ -156,17 +156,14 @@ impl<S: Scalar> Body<S> {
         self.unblocked(&self.inv_inertia_world)
     }
 
-    /// Its place and velocities are no infinity or NaN.
-    #[inline(always)]
-    pub(crate) fn motion_is_finite(&self) -> bool {
-        self.position.is_finite() && self.linear_velocity.is_finite() && self.angular_velocity.is_finite()
-    }
-
     /// No number on which the motion depends is an infinity or NaN.
     #[inline(always)]
     pub(crate) fn is_finite(&self) -> bool {
-        self.motion_is_finite()
-            && self.orientation.is_finite()
+        let [w, x, y, z] = self.orientation.to_array();
+        self.position.is_finite()
+            && self.linear_velocity.is_finite()
+            && self.angular_velocity.is_finite()
+            && (w.is_finite() && x.is_finite() && y.is_finite() && z.is_finite())
             && (self.gravity_scale.is_finite() && self.linear_damping.is_finite() && self.angular_damping.is_finite())
     }
 
@@ -193,15 +190,7 @@ impl<S: Scalar> Body<S> {
     /// # Errors
     /// [`BodyError`] names the first field with an infinity or NaN in it.
     pub fn check(&self) -> Result<(), BodyError> {
-        if !self.position.is_finite() {
-            return Err(BodyError::Position);
-        }
-        if !self.linear_velocity.is_finite() {
-            return Err(BodyError::LinearVelocity);
-        }
-        if !self.angular_velocity.is_finite() {
-            return Err(BodyError::AngularVelocity);
-        }
+        self.check_motion()?;
         if !self.orientation.is_finite() {
             return Err(BodyError::Orientation);
         }
@@ -210,6 +199,20 @@ impl<S: Scalar> Body<S> {
         }
         if !(self.linear_damping.is_finite() && self.angular_damping.is_finite()) {
             return Err(BodyError::Damping);
+        }
+        Ok(())
+    }
+
+    /// The same of its place and velocities.
+    pub(crate) fn check_motion(&self) -> Result<(), BodyError> {
+        if !self.position.is_finite() {
+            return Err(BodyError::Position);
+        }
+        if !self.linear_velocity.is_finite() {
+            return Err(BodyError::LinearVelocity);
+        }
+        if !self.angular_velocity.is_finite() {
+            return Err(BodyError::AngularVelocity);
         }
         Ok(())
     }

@@ -98,7 +98,7 @@ impl<S: Scalar, Sh: Collide<S, Sh>, const BODIES: usize, const MANIFOLDS: usize,
             if matches!(slot.state, State::Vacant | State::Asleep) {
                 continue;
             }
-            slot.state = if !body.motion_is_finite() {
+            slot.state = if body.check_motion().is_err() {
                 report.quarantined = report.quarantined.wrapping_add(1);
                 slot.touched = true;
                 State::Quarantined
