@@ -23,8 +23,8 @@ pub fn run(folder: &Path, board: Board, yes: bool) -> Result<()> {
     if !Board::ALL.contains(&board) {
         bail!("the firmware is for a Cortex-M; {board} is none");
     }
-    let folder = std::path::absolute(folder)?;
-    if folder.starts_with(workspace::root()) {
+    let folder = resolved(folder)?;
+    if folder.starts_with(workspace::root().canonicalize()?) {
         bail!("{} lies in carom's own folder, whose settings would reach it: name one outside", folder.display());
     }
     if fs::read_dir(&folder).is_ok_and(|mut entries| entries.next().is_some()) {
@@ -39,6 +39,16 @@ pub fn run(folder: &Path, board: Board, yes: bool) -> Result<()> {
     put(&folder.join(".gitignore"), "/target\n")?;
     println!("a marble maze for {board}: `cd {} && cargo run --release`", folder.display());
     Ok(())
+}
+
+/// Where the folder is or will be, without `..` and links in what is there already.
+fn resolved(folder: &Path) -> Result<PathBuf> {
+    let folder = std::path::absolute(folder)?;
+    match (folder.canonicalize(), folder.parent(), folder.file_name()) {
+        (Ok(there), ..) => Ok(there),
+        (Err(_), Some(parent), Some(name)) => Ok(resolved(parent)?.join(name)),
+        (Err(error), ..) => Err(error).with_context(|| format!("looking for {}", folder.display())),
+    }
 }
 
 /// The manifest with the folder's name, as far as packages may have it, and the place of this clone.
@@ -83,4 +93,19 @@ fn put(path: &Path, text: &str) -> Result<()> {
         fs::create_dir_all(folder).with_context(|| format!("making {}", folder.display()))?;
     }
     fs::write(path, text).with_context(|| format!("writing {}", path.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::resolved;
+    use crate::workspace;
+
+    #[test]
+    fn beside_the_clone_is_outside() {
+        let root = workspace::root().canonicalize().expect("a folder");
+        let resolved = |path: &str| resolved(&root.join(path)).expect("a place");
+        assert_eq!(resolved("../my-marble-that-is-not-there"), root.with_file_name("my-marble-that-is-not-there"));
+        assert_eq!(resolved("src/../not/there"), root.join("not/there"));
+        assert_eq!(resolved("src"), root.join("src"));
+    }
 }

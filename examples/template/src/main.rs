@@ -100,8 +100,10 @@ fn main() -> ! {
     end(false)
 }
 
+/// Thousandths, rounded. In 64 bits: a thousand times 3 m/s is beyond the format.
 fn to_milli(x: Real) -> i32 {
-    (x * 1000).round().to_num()
+    let half = 1 << (Real::FRAC_NBITS - 1);
+    ((i64::from(x.to_bits()) * 1000 + half) >> Real::FRAC_NBITS) as i32
 }
 
 /// Ends QEMU. On a part of your own there is nothing to end.
