@@ -19,6 +19,7 @@ use anyhow::{Context, Result, bail};
 use clap::builder::PossibleValuesParser;
 use graph::Graph;
 use image::Image;
+use rayon::prelude::*;
 use std::path::Path;
 
 /// Stands for the benchmark's firmware among the examples.
@@ -92,12 +93,14 @@ pub fn run(options: &Options) -> Result<()> {
 /// The benchmark's firmware holds every function of the kernel, and is built for size as well as for speed. Returns the
 /// command for each image that failed.
 fn check_bench(toolchain: &Toolchain, target: &'static str, feature: Option<&str>) -> Result<Vec<String>> {
-    let mut repeats = Vec::new();
     let brings = |firmware: &Firmware| {
         feature.is_none_or(|feature| firmware.scalars.iter().any(|scalar| scalar.feature() == feature))
     };
-    for firmware in bench_image::OWN.into_iter().filter(brings) {
-        for opt in Opt::ALL {
+    let firmware: Vec<Firmware> = bench_image::OWN.into_iter().filter(brings).collect();
+    // Each opt-level has a folder of its own, and compiles mostly on one core.
+    let level = |opt: Opt| -> Result<Vec<String>> {
+        let mut repeats = Vec::new();
+        for &firmware in &firmware {
             let recipe = Recipe { firmware, target, opt };
             let file = recipe.build(toolchain)?.elf;
             let fixed = firmware.scalars.iter().all(|scalar| scalar.fraction_bits().is_some());
@@ -107,8 +110,10 @@ fn check_bench(toolchain: &Toolchain, target: &'static str, feature: Option<&str
                 repeats.push(format!("cargo xtask elf --example {BENCH} --target {target}"));
             }
         }
-    }
-    Ok(repeats)
+        Ok(repeats)
+    };
+    let repeats: Vec<Vec<String>> = Opt::ALL.into_par_iter().map(level).collect::<Result<_>>()?;
+    Ok(repeats.concat())
 }
 
 /// Builds the examples once and checks each; returns the command for each that failed.

@@ -21,10 +21,6 @@ use std::time::Instant;
 pub enum Stage {
     /// tests on this machine in all feature sets; every combination of features compiles
     Host,
-    /// every example on every board, its text compared with this machine's
-    Boards,
-    /// what is in the linked firmware
-    Elf,
     /// the C library: its tests, its header, C examples on boards
     C,
     /// every pinned state on RISC-V, in QEMU
@@ -37,6 +33,10 @@ pub enum Stage {
     View,
     /// the book of docs/, the links of all pages, and the firmware that `cargo xtask new` begins
     Guide,
+    /// every example on every board, its text compared with this machine's
+    Boards,
+    /// what is in the linked firmware
+    Elf,
 }
 
 /// Runs the stage, or all of them; with `tidy`, what one has built goes when nothing after it uses it.
@@ -65,8 +65,8 @@ pub fn run(only: Option<Stage>, yes: bool, tidy: bool) -> Result<()> {
         }
         .with_context(|| format!("stage {name} failed (it alone: `cargo xtask test --only {name}`)"))?;
         println!("== {name}: passed in {} s ==", begun.elapsed().as_secs());
-        // The ELF stage goes on with what the boards' has built.
-        if tidy && stage != Stage::Boards {
+        // The ELF stage goes on with what the boards' has built, and the benchmark with what is left at the end.
+        if tidy && !matches!(stage, Stage::Boards | Stage::Elf) {
             clear()?;
         }
     }

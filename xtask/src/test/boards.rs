@@ -8,6 +8,7 @@ use crate::qemu;
 use crate::toolchain::Toolchain;
 use crate::workspace;
 use anyhow::{Context, Result, bail};
+use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitStatus;
@@ -45,11 +46,11 @@ pub fn run(toolchain: &Toolchain) -> Result<()> {
             let build = Build { target, feature, profile: Profile::Release };
             let files = build.run(toolchain, &examples)?;
             let files: BTreeMap<String, PathBuf> = examples.into_iter().zip(files).collect();
-            for (job, boards) in here {
-                for board in boards {
-                    job.compare(board, &files[&job.example], &expected[&job.key()])?;
-                }
-            }
+            // An emulator keeps one core busy.
+            let runs: Vec<(&Job, Board)> =
+                here.into_iter().flat_map(|(job, boards)| boards.into_iter().map(move |board| (job, board))).collect();
+            runs.par_iter()
+                .try_for_each(|&(job, board)| job.compare(board, &files[&job.example], &expected[&job.key()]))?;
         }
     }
     Ok(())
@@ -137,8 +138,7 @@ fn run_on_host(feature: &str, jobs: &[&Job]) -> Result<BTreeMap<(String, String)
     let debug_programs =
         if in_debug.is_empty() { Vec::new() } else { host::build(feature, Optimised::Debug, &in_debug)? };
 
-    let mut texts = BTreeMap::new();
-    for job in jobs {
+    let text = |job: &&Job| {
         let find = |names: &[String], programs: &[PathBuf]| {
             names.iter().position(|name| *name == job.example).map(|index| programs[index].clone())
         };
@@ -150,9 +150,9 @@ fn run_on_host(feature: &str, jobs: &[&Job]) -> Result<BTreeMap<(String, String)
             }
             println!("  {:<16} {:<9} this machine, debug as release", job.example, job.scalar);
         }
-        texts.insert(job.key(), text);
-    }
-    Ok(texts)
+        Ok((job.key(), text))
+    };
+    jobs.par_iter().map(text).collect()
 }
 
 impl Job {
