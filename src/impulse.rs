@@ -32,7 +32,7 @@ mod rub;
 mod slip;
 
 use self::apply::apply_normal;
-use self::lever::Column;
+use self::lever::{Column, lever};
 use self::rub::rub;
 use crate::body::Body;
 #[cfg(doc)]
@@ -40,6 +40,17 @@ use crate::contact::RestitutionLaw;
 use crate::contact::{Contact, Material};
 use crate::math::{UnitVec3, Vec3};
 use crate::scalar::{Scalar, Scaled};
+
+/// The column of a direction, and what it refers to.
+macro_rules! column {
+    (let $column:ident = $a:ident, $b:ident, $contact:ident, $direction:expr) => {
+        let direction = $direction.as_vec3();
+        let opposite = S::opposite(direction);
+        let lever_a = lever($a, &$contact.r_a, &opposite);
+        let lever_b = lever($b, &$contact.r_b, direction);
+        let $column = Column { directions: [&opposite, direction], levers: [&lever_a, &lever_b] };
+    };
+}
 
 /// What a contact did.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,7 +111,8 @@ pub fn relative_velocity<S: Scalar>(a: &Body<S>, b: &Body<S>, contact: &Contact<
 /// neither body can move; beyond the format, its end. One division.
 #[must_use]
 pub fn effective_mass<S: Scalar>(a: &Body<S>, b: &Body<S>, contact: &Contact<S>, direction: UnitVec3<S>) -> S {
-    let k = Column::new(a, b, contact, direction).inverse_mass(a, b);
+    column!(let column = a, b, contact, direction);
+    let k = column.inverse_mass(a, b);
     if k == S::Scaled::ZERO { S::ZERO } else { S::from_scaled(S::Scaled::ONE / k).0 }
 }
 
@@ -110,7 +122,7 @@ pub fn effective_mass<S: Scalar>(a: &Body<S>, b: &Body<S>, contact: &Contact<S>,
 /// the nearer end, and a float the formula as it stands.
 #[must_use]
 pub fn collision_impulse<S: Scalar>(a: &Body<S>, b: &Body<S>, contact: &Contact<S>, restitution: S) -> S {
-    let column = Column::new(a, b, contact, contact.normal);
+    column!(let column = a, b, contact, contact.normal);
     let (speed, k) = (column.speed(a, b), column.inverse_mass(a, b));
     let j = S::rebound(restitution, speed, k);
     if k.is_positive() && j.is_finite() { S::from_scaled(j).0 } else { S::ZERO }
@@ -119,7 +131,7 @@ pub fn collision_impulse<S: Scalar>(a: &Body<S>, b: &Body<S>, contact: &Contact<
 /// Applies an impulse along the normal to both bodies, by (2) and (3). True where a velocity met the end of the format.
 /// Where the impulse, an arm or a tensor is not finite, nothing is changed.
 pub fn apply_impulse<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, contact: &Contact<S>, normal_impulse: S) -> bool {
-    let column = Column::new(a, b, contact, contact.normal);
+    column!(let column = a, b, contact, contact.normal);
     if !(normal_impulse.is_finite() && column.inverse_mass(a, b).is_finite()) {
         return false;
     }
@@ -136,7 +148,7 @@ pub fn resolve_collision<S: Scalar>(
     contact: &Contact<S>,
     restitution: S,
 ) -> Impact<S> {
-    let column = Column::new(a, b, contact, contact.normal);
+    column!(let column = a, b, contact, contact.normal);
     let j = match column.impulse(a, b, restitution) {
         Ok(j) => j,
         Err(outcome) => return Impact::nothing(outcome),

@@ -28,6 +28,8 @@ mod fpu;
 mod integer;
 #[cfg(feature = "fixed")]
 mod lever32;
+#[cfg(feature = "fixed")]
+mod machine;
 #[cfg(feature = "micromath")]
 mod micromath;
 #[cfg(feature = "fixed")]

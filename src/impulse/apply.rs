@@ -14,7 +14,8 @@ fn push<S: Scalar>(body: &mut Body<S>, direction: &Vec3<S::Unit>, lever: &S::Lev
 /// An impulse `j` along the column's direction, on B; the opposite on A.
 #[inline(always)]
 pub(super) fn apply_normal<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, column: &Column<S>, j: S::Scaled) -> bool {
-    push(a, &column.opposite, &column.a, j) | push(b, &column.direction, &column.b, j)
+    let ([away, direction], [lever_a, lever_b]) = (column.directions, column.levers);
+    push(a, away, lever_a, j) | push(b, direction, lever_b, j)
 }
 
 /// An impulse `j` at the end of an arm.

@@ -64,6 +64,11 @@ impl<S: Scalar> UnitVec3<S> {
         self.0
     }
 
+    #[inline(always)]
+    pub(crate) const fn as_vec3(&self) -> &Vec3<S::Unit> {
+        &self.0
+    }
+
     /// The vector of that length along the direction; of a negative length, the other way. In fixed point within 0.51 units
     /// of the last place a component, and at the end of the range where that is left.
     #[must_use]

@@ -19,10 +19,10 @@ pub(super) fn core<S: Scalar>(hull: &impl Polytope<S>, core: &Segment<S>) -> Cor
     for &s in &[core.half, core.half.negated()] {
         let place = core.at(s);
         let (face, height) = hull.highest_above(place);
-        if let Some(plane) = hull.face(face).filter(|_| height < best.height) {
-            if hull.is_over(face, &plane, place) {
-                best = Core { normal: plane.normal, height, place };
-            }
+        if let Some(plane) = hull.face(face).filter(|_| height < best.height)
+            && hull.is_over(face, &plane, place)
+        {
+            best = Core { normal: plane.normal, height, place };
         }
     }
     let mut index = 0;

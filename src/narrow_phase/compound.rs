@@ -32,10 +32,10 @@ impl<S: Scalar, P: Collide<S, B>, B: Shape<S>> Collide<S, B> for Compound<'_, S,
             }
             let way = pose.rotate(part.pose.position);
             let at = pose.times_at(way, &part.pose);
-            if let Some(found) = part.shape.closest(&at, other, other_pose) {
-                if best.is_none_or(|best| found.separation < best.separation) {
-                    best = Some(Closest { r_a: found.r_a + way, ..found });
-                }
+            if let Some(found) = part.shape.closest(&at, other, other_pose)
+                && best.is_none_or(|best| found.separation < best.separation)
+            {
+                best = Some(Closest { r_a: found.r_a + way, ..found });
             }
         }
         best

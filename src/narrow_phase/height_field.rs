@@ -271,10 +271,10 @@ impl<'a, S: Scalar, T: OverSurface<S>> Over<'a, S, T> {
         if normal.dot(along.cross(triangle.normal)) < slack || normal.dot(triangle.normal) < slack {
             return;
         }
-        if let Some(next) = next {
-            if normal.dot(next.normal.cross(along)) < slack {
-                return;
-            }
+        if let Some(next) = next
+            && normal.dot(next.normal.cross(along)) < slack
+        {
+            return;
         }
         let mut feature = 256 | number;
         for &(place, height) in &ends {

@@ -54,15 +54,15 @@ impl<'a, S: Scalar> Rod<'a, S> {
         if separation > margin {
             return;
         }
-        if lies_along(&self.segment, core.normal) {
-            if let Some((Plane { normal, offset }, ends)) = over_face(core.normal) {
-                out.begin(self.down(normal));
-                for &(feature, s) in &[(1, ends[0]), (2, ends[1])] {
-                    let end = self.segment.at(s);
-                    let separation = end.along(normal).minus(offset).minus(self.radius);
-                    if separation <= margin {
-                        self.push(end, separation, feature, out);
-                    }
+        if lies_along(&self.segment, core.normal)
+            && let Some((Plane { normal, offset }, ends)) = over_face(core.normal)
+        {
+            out.begin(self.down(normal));
+            for &(feature, s) in &[(1, ends[0]), (2, ends[1])] {
+                let end = self.segment.at(s);
+                let separation = end.along(normal).minus(offset).minus(self.radius);
+                if separation <= margin {
+                    self.push(end, separation, feature, out);
                 }
             }
         }

@@ -7,6 +7,7 @@ use fixed::FixedI32;
 use fixed::types::I2F30;
 
 use super::integer::leading_zeros;
+use super::machine::at_most_31;
 use super::product::{add_dot2, dot, dot2};
 use super::scaled32::Scaled32;
 use super::wide::{bits_of, high, magnitude, max, minus, narrow, shift_left, shift_right};
@@ -144,8 +145,7 @@ fn far_mass(masses: u32, down: i32) -> i64 {
 /// The mantissa of a number that is not negative, in units of 2^(top - 30).
 #[inline(always)]
 fn lowered(x: Scaled32, top: i32) -> u32 {
-    let down = top.wrapping_sub(x.exponent()) as u32;
-    (x.mantissa() as u32).wrapping_shr(if down > 31 { 31 } else { down })
+    (x.mantissa() as u32).wrapping_shr(at_most_31(top.wrapping_sub(x.exponent())))
 }
 
 /// v + w x r of the second body less that of the first, for components in units of 2^-frac: mantissas within 2^29 and their

@@ -9,11 +9,12 @@ use super::arm32::{self, Arm32};
 use super::contact32::{Contact32, Impulse32};
 use super::integer::{inverse_root, leading_zeros, long_quotient, round_shift, round_sqrt, wide_quotient};
 use super::lever32::{self, Lever32};
+use super::machine::lever;
 use super::product::{dot, product, unsigned_product};
 use super::scaled32::Scaled32;
 use super::step32::FixedStep;
 use super::stored32::{self, add_block, add_scaled, clip};
-use super::wide::{bits_of, magnitude, narrow};
+use super::wide::{bits_of, magnitude, narrow, units};
 use crate::error::RangeError;
 use crate::math::{Block, BlockImpulse, SymBlock, SymMat3, Vec3};
 
@@ -53,11 +54,6 @@ fn precise_inverse_root(a: u32) -> u32 {
 #[inline(always)]
 const fn headroom(v: [i32; 3]) -> i32 {
     (leading_zeros(magnitude(v)) as i32).wrapping_sub(3)
-}
-
-#[inline(always)]
-fn units(v: [i32; 3]) -> Vec3<I2F30> {
-    Vec3::new(I2F30::from_bits(v[0]), I2F30::from_bits(v[1]), I2F30::from_bits(v[2]))
 }
 
 #[inline(always)]
@@ -320,7 +316,7 @@ where
 
     #[inline(always)]
     fn lever([r, w]: [&Vec3<Self>; 2], d: &Vec3<I2F30>, inv_inertia: &SymMat3<I2F30>, exponent: i32) -> Lever32 {
-        Lever32::new([r, w], d, inv_inertia, exponent, Frac::I32)
+        lever(r, w, d, inv_inertia, exponent)
     }
 
     #[inline(always)]
@@ -342,7 +338,7 @@ where
 
     #[inline(always)]
     fn inverse_mass(inv_masses: [Scaled32; 2], levers: [&Lever32; 2]) -> Scaled32 {
-        lever32::inverse_mass(inv_masses, levers)
+        lever32::inverse_mass(inv_masses, levers, Frac::I32)
     }
 
     #[inline(always)]
@@ -350,7 +346,8 @@ where
         Scaled32::quotient_of_product(-speed, rebound_factor(restitution), k)
     }
 
-    #[inline(never)]
+    #[cfg_attr(multiply = "long", inline(always))]
+    #[cfg_attr(not(multiply = "long"), inline(never))]
     fn push(
         v: &mut Vec3<Self>,
         w: &mut Vec3<Self>,
@@ -362,8 +359,8 @@ where
         let q = j.mantissa();
         let k = narrow::<29>(product(inv_mass.mantissa(), q));
         let exponent = inv_mass.exponent().wrapping_add(j.exponent()).wrapping_sub(1);
-        let fast = add_scaled(v, bits_of(d), k, exponent);
-        let (u, exponent) = lever.turn();
+        let fast = add_scaled(v, d, k, exponent);
+        let (u, exponent) = lever.turn(Frac::I32);
         fast | add_scaled(w, u, q, j.exponent().wrapping_add(exponent))
     }
 
@@ -446,7 +443,7 @@ where
         j: &Block<Self>,
     ) -> bool {
         let mantissas = bits_of(&j.mantissas);
-        let fast = add_scaled(v, mantissas, inv_mass.mantissa(), inv_mass.exponent().wrapping_add(j.exponent));
+        let fast = add_scaled(v, &j.mantissas, inv_mass.mantissa(), inv_mass.exponent().wrapping_add(j.exponent));
         let (u, exponent) = arm.turn(mantissas);
         // `u` in units of 2^exponent and `j` in units of 2^-30 of its own.
         fast | add_block(w, u, exponent.wrapping_add(j.exponent).wrapping_sub(30))

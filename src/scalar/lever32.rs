@@ -5,73 +5,44 @@
 //! u = I^-1 c, since the trace of a tensor's block is at most 2^29. Sums are cut off, not rounded: at 2^-28 of |r| and
 //! 2^-27 of |I^-1||r|, or less.
 
-use fixed::FixedI32;
 use fixed::types::I2F30;
 
 use super::integer::{high_product, leading_zeros};
-use super::product::{add_dot, dot, dot2};
+use super::machine::{at_most_31, shift_left, shift_right};
+use super::product::{add_dot, dot};
 use super::scaled32::Scaled32;
-use super::wide::{bits, bits_of, magnitude, narrow, shift_left, shift_right};
-use crate::math::{SymMat3, Vec3};
+use super::wide::bits;
+use crate::math::Vec3;
 
 /// A lever in fixed point: of the columns c = r x d and u = I^-1 c of an arm r and a direction d, what the kernel needs.
+///
+/// It knows no format: exponents are those of an arm in units of 2^-32, to which each user adds those of its own.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 pub struct Lever32 {
+    /// w . c for the body's angular velocity w, in units of 2^(2 - 2 frac - places).
+    pub(super) spin: i64,
     /// u, as a block of Q2.30.
-    turn: [i32; 3],
-    turn_exponent: i32,
+    pub(super) turn: Vec3<I2F30>,
+    /// By how much the arm was moved left: 30 at most.
+    pub(super) places: i32,
+    pub(super) turn_exponent: i32,
     /// c . u with 30 bits, in units of 2^(inverse_mass_exponent - 30).
-    inverse_mass: u32,
-    inverse_mass_exponent: i32,
-    /// w . c for the body's angular velocity w, in units of 2^(-30 - frac + cross_exponent).
-    spin: i64,
-    cross_exponent: i32,
+    pub(super) inverse_mass: u32,
+    pub(super) inverse_mass_exponent: i32,
 }
 
 impl Lever32 {
-    /// For an arm and an angular velocity with components in units of 2^-frac.
-    #[inline(never)]
-    pub(super) fn new<F>(
-        [r, w]: [&Vec3<FixedI32<F>>; 2],
-        d: &Vec3<I2F30>,
-        inv_inertia: &SymMat3<I2F30>,
-        exponent: i32,
-        frac: i32,
-    ) -> Self {
-        let r = bits_of(r);
-        let places = leading_zeros(magnitude(r)).wrapping_sub(1);
-        let r = [r[0].wrapping_shl(places), r[1].wrapping_shl(places), r[2].wrapping_shl(places)];
-        let d = bits(d);
-        let m = [d[0].wrapping_neg(), d[1].wrapping_neg(), d[2].wrapping_neg()];
-        // On three cores of five there is no multiply-and-subtract: products with -d are added instead.
-        let c = [
-            narrow::<32>(dot2([r[1], r[2]], [d[2], m[1]])),
-            narrow::<32>(dot2([r[2], r[0]], [d[0], m[2]])),
-            narrow::<32>(dot2([r[0], r[1]], [d[1], m[0]])),
-        ];
-        // No arm, no say in which power of two a sum takes.
-        let exponent_of_arm = 32i32.wrapping_sub(frac).wrapping_sub(places as i32);
-        let cross_exponent = if r[0] | r[1] | r[2] == 0 { Scaled32::LOWEST } else { exponent_of_arm };
-        let turn_exponent = cross_exponent.wrapping_add(exponent).wrapping_sub(1);
-        let spin = dot(bits_of(w), c);
-        let SymMat3 { xx, xy, xz, yy, yz, zz } = inv_inertia;
-        let x = narrow::<29>(dot([xx.to_bits(), xy.to_bits(), xz.to_bits()], c));
-        let y = narrow::<29>(dot([xy.to_bits(), yy.to_bits(), yz.to_bits()], c));
-        let z = narrow::<29>(dot([xz.to_bits(), yz.to_bits(), zz.to_bits()], c));
-        // Never negative: cutting off must not make it so.
-        let product = dot(c, [x, y, z]);
-        let product = if product < 0 { 0 } else { product };
-        let zeros = leading_zeros((product >> 32) as u32 | 1);
-        let inverse_mass = shift_left(product, zeros) as u32 >> 2;
-        // As an arm of no length: what is zero has no say either.
-        let of_product = cross_exponent.wrapping_add(turn_exponent).wrapping_add(4).wrapping_sub(zeros as i32);
-        let inverse_mass_exponent = if inverse_mass == 0 { Scaled32::LOWEST } else { of_product };
-        Self { turn: [x, y, z], turn_exponent, inverse_mass, inverse_mass_exponent, spin, cross_exponent }
+    /// I^-1 (r x d) for an arm in units of 2^-frac, as a block and its exponent.
+    #[inline(always)]
+    pub(super) fn turn(&self, frac: i32) -> (&Vec3<I2F30>, i32) {
+        (&self.turn, self.turn_exponent.wrapping_add(31i32.wrapping_sub(frac)))
     }
 
+    /// c . u for an arm in units of 2^-frac, with its exponent.
     #[inline(always)]
-    pub(super) fn turn(&self) -> ([i32; 3], i32) {
-        (self.turn, self.turn_exponent)
+    fn inverse_mass(&self, frac: i32) -> (u32, i32) {
+        (self.inverse_mass, self.inverse_mass_exponent.wrapping_add(67i32.wrapping_sub(frac.wrapping_mul(2))))
     }
 }
 
@@ -98,12 +69,13 @@ const fn places_of_speed(frac: i32) -> i32 {
 fn near_speed(linear: i64, levers: [&Lever32; 2], frac: i32) -> Option<(i64, i32)> {
     let coarse = places_of_speed(frac);
     let [a, b] = levers;
-    let (down_a, down_b) = (coarse.wrapping_sub(a.cross_exponent), coarse.wrapping_sub(b.cross_exponent));
+    // 31 at most.
+    let fewer = 32i32.wrapping_sub(frac).wrapping_sub(coarse);
+    let (down_a, down_b) = (a.places.wrapping_sub(fewer), b.places.wrapping_sub(fewer));
     if down_a | down_b < 0 {
         return None;
     }
-    let turned =
-        shift_right(a.spin, (down_a as u32).min(31)).wrapping_add(shift_right(b.spin, (down_b as u32).min(31)));
+    let turned = shift_right(a.spin, down_a as u32).wrapping_add(shift_right(b.spin, down_b as u32));
     let speed = (linear >> coarse).wrapping_add(turned);
     if (speed >> 32) as i32 == (speed >> 32) as i32 >> 31 {
         return None;
@@ -139,7 +111,7 @@ pub(super) fn approach_impulse(
             ((speed.mantissa() as i64) << 32, speed.exponent().wrapping_sub(62))
         }
     };
-    let (k, k_exponent) = inverse_mass_sum(inv_masses, levers);
+    let (k, k_exponent) = inverse_mass_sum(inv_masses, levers, frac);
     if speed >= 0 || k == 0 {
         return Err((Scaled32::new(speed, exponent), Scaled32::new(k as i64, k_exponent.wrapping_sub(30))));
     }
@@ -155,26 +127,26 @@ pub(super) fn approach_impulse(
 #[inline(never)]
 fn far_parting_speed(linear: i64, [a, b]: [&Lever32; 2], frac: i32) -> Scaled32 {
     let exponent = (-30i32).wrapping_sub(frac);
-    let turned_a = Scaled32::new(a.spin, exponent.wrapping_add(a.cross_exponent));
-    let turned_b = Scaled32::new(b.spin, exponent.wrapping_add(b.cross_exponent));
+    let of_arm = exponent.wrapping_add(32).wrapping_sub(frac);
+    let turned_a = Scaled32::new(a.spin, of_arm.wrapping_sub(a.places));
+    let turned_b = Scaled32::new(b.spin, of_arm.wrapping_sub(b.places));
     Scaled32::new(linear, exponent) + (turned_a + turned_b)
 }
 
 /// `mantissa` moved to the exponent `top`, from one below it.
 #[inline(always)]
-const fn lowered((mantissa, exponent): (u32, i32), top: i32) -> u32 {
-    let down = top.wrapping_sub(exponent) as u32;
-    mantissa.wrapping_shr(if down > 31 { 31 } else { down })
+fn lowered((mantissa, exponent): (u32, i32), top: i32) -> u32 {
+    mantissa.wrapping_shr(at_most_31(top.wrapping_sub(exponent)))
 }
 
 /// 1/m + c . u of both bodies: a number of at most 32 bits in units of 2^(exponent - 30).
 #[inline(always)]
-fn inverse_mass_sum([ma, mb]: [Scaled32; 2], [a, b]: [&Lever32; 2]) -> (u32, i32) {
+fn inverse_mass_sum([ma, mb]: [Scaled32; 2], [a, b]: [&Lever32; 2], frac: i32) -> (u32, i32) {
     let terms = [
         (ma.mantissa() as u32, ma.exponent()),
         (mb.mantissa() as u32, mb.exponent()),
-        (a.inverse_mass, a.inverse_mass_exponent),
-        (b.inverse_mass, b.inverse_mass_exponent),
+        a.inverse_mass(frac),
+        b.inverse_mass(frac),
     ];
     let mut top = terms[0].1;
     if terms[1].1 > top {
@@ -194,7 +166,7 @@ fn inverse_mass_sum([ma, mb]: [Scaled32; 2], [a, b]: [&Lever32; 2]) -> (u32, i32
 
 /// 1/m + c . u of both bodies.
 #[inline(always)]
-pub(super) fn inverse_mass(inv_masses: [Scaled32; 2], levers: [&Lever32; 2]) -> Scaled32 {
-    let (k, exponent) = inverse_mass_sum(inv_masses, levers);
+pub(super) fn inverse_mass(inv_masses: [Scaled32; 2], levers: [&Lever32; 2], frac: i32) -> Scaled32 {
+    let (k, exponent) = inverse_mass_sum(inv_masses, levers, frac);
     Scaled32::cut32(k, exponent.wrapping_add(2))
 }

@@ -7,6 +7,7 @@ use fixed::types::I2F30;
 
 use super::Scaled;
 use super::integer::{high_product, leading_zeros, leading_zeros64, long_quotient, quotient, round_shift, round_sqrt};
+use super::machine::filled;
 use super::product::unsigned_product;
 
 /// A number `mantissa * 2^(exponent - 30)` whose mantissa has 30 bits (2^29 <= |mantissa| < 2^30), or zero.
@@ -55,10 +56,9 @@ impl Scaled32 {
     /// The quotient of two numbers above zero with exponents, `m 2^(e - 30)` each, to 2^-28.
     #[inline(always)]
     pub(super) fn leading_quotient((n, n_exponent): (u32, i32), (d, d_exponent): (u32, i32)) -> Self {
-        let (n_zeros, d_zeros) = (leading_zeros(n | 1), leading_zeros(d | 1));
-        let q = long_quotient(n.wrapping_shl(n_zeros), d.wrapping_shl(d_zeros));
-        let places = leading_zeros(q | 1);
-        let mantissa = (q.wrapping_shl(places) >> 2) as i32;
+        let ((n, n_zeros), (d, d_zeros)) = (filled(n), filled(d));
+        let (q, places) = filled(long_quotient(n, d));
+        let mantissa = (q >> 2) as i32;
         let shift = 2i32.wrapping_sub(n_zeros as i32).wrapping_add(d_zeros as i32).wrapping_sub(places as i32);
         Self { mantissa, exponent: n_exponent.wrapping_sub(d_exponent).wrapping_add(shift) }
     }

@@ -4,9 +4,10 @@ use fixed::FixedI32;
 use fixed::types::I2F30;
 use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30};
 
+use super::machine::{self, at_most_31, round_right};
 use super::product::product;
 use super::scaled32::{Scaled32, shift_product};
-use super::wide::{bits_of, high};
+use super::wide::{bits, bits_of, units};
 use crate::math::Vec3;
 
 /// `x` clipped to 32 bits, and whether that changed it.
@@ -24,21 +25,11 @@ pub(super) const fn clip(x: i64) -> (i32, bool) {
 /// `x + k d` for a block `d` of Q2.30 and components of `x` in units of 2^-frac: rounded once a component, and whether a
 /// component met the end of the range.
 #[inline(always)]
-pub(super) fn add_scaled<Frac>(x: &mut Vec3<FixedI32<Frac>>, d: [i32; 3], k: i32, exponent: i32) -> bool
+pub(super) fn add_scaled<Frac>(x: &mut Vec3<FixedI32<Frac>>, d: &Vec3<I2F30>, k: i32, exponent: i32) -> bool
 where
     Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
 {
-    // The upper half of the product has 29 bits or less and moves right by a place or more:
-    // what was cut off below makes no difference to the rounding.
-    let down = 28i32.wrapping_sub(Frac::I32).wrapping_sub(exponent);
-    if down <= 0 {
-        return add_far(x, d, k, exponent);
-    }
-    let down = (down as u32).min(31);
-    let half = (1u32.wrapping_shl(down) >> 1) as i32;
-    let d_k = [high(product(d[0], k)), high(product(d[1], k)), high(product(d[2], k))];
-    let change = [moved(d_k[0], half, down), moved(d_k[1], half, down), moved(d_k[2], half, down)];
-    if add_change(x, change) { add_far(x, d, k, exponent) } else { false }
+    machine::add_scaled(x, d, k, 28i32.wrapping_sub(Frac::I32).wrapping_sub(exponent))
 }
 
 /// `x + d` for a vector `d` in units of 2^exponent, and components of `x` in units of 2^-frac.
@@ -49,30 +40,30 @@ where
 {
     let down = exponent.wrapping_add(Frac::I32).wrapping_neg();
     if down <= 0 {
-        return add_far(x, d, 1 << 29, exponent.wrapping_add(31));
+        return add_far(x, &units(d), 1 << 29, down.wrapping_sub(3));
     }
-    let (half, down) = half_of(down);
-    let change = [moved(d[0] >> 1, half, down), moved(d[1] >> 1, half, down), moved(d[2] >> 1, half, down)];
-    if add_change(x, change) { add_far(x, d, 1 << 29, exponent.wrapping_add(31)) } else { false }
+    let (half, places) = half_of(down);
+    let change = [moved(d[0] >> 1, half, places), moved(d[1] >> 1, half, places), moved(d[2] >> 1, half, places)];
+    if add_change(x, change) { add_far(x, &units(d), 1 << 29, down.wrapping_sub(3)) } else { false }
 }
 
 /// The half to add and the places to move right by, for a number of 31 bits whose last place has been cut off: with one half
 /// of 2^31, it would leave the range.
 #[inline(always)]
 fn half_of(down: i32) -> (i32, u32) {
-    let down = (down as u32).min(31).wrapping_sub(1);
+    let down = at_most_31(down).wrapping_sub(1);
     ((1u32.wrapping_shl(down) >> 1) as i32, down)
 }
 
 /// `x` moved right and rounded.
 #[inline(always)]
-const fn moved(x: i32, half: i32, down: u32) -> i32 {
+pub(super) const fn moved(x: i32, half: i32, down: u32) -> i32 {
     x.wrapping_add(half).wrapping_shr(down)
 }
 
 /// Adds `change`, or where a component would leave the range nothing; and says so.
 #[inline(always)]
-fn add_change<Frac>(x: &mut Vec3<FixedI32<Frac>>, change: [i32; 3]) -> bool {
+pub(super) fn add_change<Frac>(x: &mut Vec3<FixedI32<Frac>>, change: [i32; 3]) -> bool {
     let bits = bits_of(x);
     let Some(x0) = bits[0].checked_add(change[0]) else { return true };
     let Some(x1) = bits[1].checked_add(change[1]) else { return true };
@@ -111,19 +102,15 @@ const fn sum_apart(x: i32, change: i64, down: i32) -> (i32, bool) {
     sum(x, change, down)
 }
 
-/// The same for changes of 2^26 units of the last place and more.
+/// Adds `d k / 2^(32 + down)` where that changes a component by 2^26 units of the last place or more.
 #[cold]
 #[inline(never)]
-fn add_far<Frac>(x: &mut Vec3<FixedI32<Frac>>, d: [i32; 3], k: i32, exponent: i32) -> bool
-where
-    Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
-{
-    let down = 60i32.wrapping_sub(Frac::I32).wrapping_sub(exponent);
-    let bits = bits_of(x);
-    let add = if is_rare(Frac::U32) { sum_apart } else { sum };
-    let (x0, met0) = add(bits[0], product(d[0], k), down);
-    let (x1, met1) = add(bits[1], product(d[1], k), down);
-    let (x2, met2) = add(bits[2], product(d[2], k), down);
+pub(super) fn add_far<Frac>(x: &mut Vec3<FixedI32<Frac>>, d: &Vec3<I2F30>, k: i32, down: i32) -> bool {
+    let (d, bits) = (bits(d), bits_of(x));
+    let down = down.wrapping_add(32);
+    let (x0, met0) = sum_apart(bits[0], product(d[0], k), down);
+    let (x1, met1) = sum_apart(bits[1], product(d[1], k), down);
+    let (x2, met2) = sum_apart(bits[2], product(d[2], k), down);
     *x = Vec3::new(FixedI32::from_bits(x0), FixedI32::from_bits(x1), FixedI32::from_bits(x2));
     met0 | met1 | met2
 }
@@ -138,11 +125,8 @@ where
     if down <= 0 {
         return from_large(x);
     }
-    // A mantissa below 2^30 and the half of 2^31 are cut to nothing.
-    let down = (down as u32).min(31);
-    let half = (1u32.wrapping_shl(down) >> 1) as i32;
     let m = x.mantissa();
-    (FixedI32::from_bits(m.wrapping_add(half).wrapping_add(m >> 31).wrapping_shr(down)), false)
+    (FixedI32::from_bits(round_right(m.wrapping_add(m >> 31), down)), false)
 }
 
 /// The same for `mantissa * 2^exponent`.

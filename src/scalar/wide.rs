@@ -17,7 +17,7 @@ pub(super) const fn narrow<const K: u32>(x: i64) -> i32 {
 
 /// `x / 2^places` cut off. `places` in `0..=31`.
 #[inline(always)]
-pub(super) const fn shift_right(x: i64, places: u32) -> i64 {
+pub(in crate::scalar) const fn shift_right(x: i64, places: u32) -> i64 {
     let (low, high) = (x as u32, (x >> 32) as i32);
     let low = low.wrapping_shr(places) | ((high as u32) << 1).wrapping_shl(31 ^ places);
     (high.wrapping_shr(places) as i64) << 32 | low as i64
@@ -25,7 +25,7 @@ pub(super) const fn shift_right(x: i64, places: u32) -> i64 {
 
 /// `x 2^places / 2^32` cut off, for results within 32 bits. `places` in `0..=31`.
 #[inline(always)]
-pub(super) const fn shift_left(x: i64, places: u32) -> i32 {
+pub(in crate::scalar) const fn shift_left(x: i64, places: u32) -> i32 {
     ((x >> 32) as u32).wrapping_shl(places) as i32 | (x as u32 >> 1).wrapping_shr(31 ^ places) as i32
 }
 
@@ -44,6 +44,11 @@ pub(super) fn bits_of<Frac>(v: &Vec3<FixedI32<Frac>>) -> [i32; 3] {
 #[inline(always)]
 pub(super) fn bits(v: &Vec3<I2F30>) -> [i32; 3] {
     [v.x.to_bits(), v.y.to_bits(), v.z.to_bits()]
+}
+
+#[inline(always)]
+pub(super) fn units(v: [i32; 3]) -> Vec3<I2F30> {
+    Vec3::new(I2F30::from_bits(v[0]), I2F30::from_bits(v[1]), I2F30::from_bits(v[2]))
 }
 
 #[inline(always)]

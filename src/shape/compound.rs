@@ -115,10 +115,10 @@ impl<S: Scalar, P: Shape<S>> Shape<S> for Compound<'_, S, P> {
     fn closest_point(&self, pose: &Pose<S>, point: Vec3<S>) -> Option<SurfacePoint<S>> {
         let mut best: Option<SurfacePoint<S>> = None;
         for part in self.parts {
-            if let Some(found) = part.shape.closest_point(&pose.times(&part.pose), point) {
-                if best.is_none_or(|best| found.separation < best.separation) {
-                    best = Some(found);
-                }
+            if let Some(found) = part.shape.closest_point(&pose.times(&part.pose), point)
+                && best.is_none_or(|best| found.separation < best.separation)
+            {
+                best = Some(found);
             }
         }
         best

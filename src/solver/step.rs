@@ -109,10 +109,10 @@ impl<'a, S: Scalar> Step<'a, S> {
     /// Keeps a body as it is in this step: it counts as one that nothing moves, and as if it had no velocity. To be called
     /// before contacts are added.
     pub fn hold(&mut self, index: usize) {
-        if let Some(motion) = self.constraints.buffers.motions.get_mut(index) {
-            if motion.part != Part::Lost {
-                motion.part = Part::Held;
-            }
+        if let Some(motion) = self.constraints.buffers.motions.get_mut(index)
+            && motion.part != Part::Lost
+        {
+            motion.part = Part::Held;
         }
     }
 

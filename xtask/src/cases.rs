@@ -72,7 +72,7 @@ pub fn cases(example: &str) -> &'static [Case] {
         "impacts" => IMPACTS,
         "stack" => NOWHERE,
         "tosses" => TOSSES,
-        "products" => PRODUCTS,
+        "levers" | "products" => PRODUCTS,
         "selftest" => SELFTEST,
         _ => EVERYWHERE,
     }

@@ -70,11 +70,11 @@ impl<S: Scalar> Patch<S> {
         let mut kept = 0usize;
         for index in 0..self.len {
             let Some(&touch) = self.points.get(index) else { continue };
-            if chosen & 1 == 1 {
-                if let Some(place) = self.points.get_mut(kept) {
-                    *place = touch;
-                    kept = kept.wrapping_add(1);
-                }
+            if chosen & 1 == 1
+                && let Some(place) = self.points.get_mut(kept)
+            {
+                *place = touch;
+                kept = kept.wrapping_add(1);
             }
             chosen >>= 1;
         }

@@ -32,11 +32,11 @@ pub(super) fn hull<S: Scalar, const N: usize>(points: &[Vec3<S>]) -> Result<Conv
             let mut kept = [Vec3::ZERO; N];
             let mut count = 0;
             for (index, &point) in points.iter().enumerate() {
-                if used >> index & 1 == 1 {
-                    if let Some(place) = kept.get_mut(count) {
-                        *place = point;
-                        count += 1;
-                    }
+                if used >> index & 1 == 1
+                    && let Some(place) = kept.get_mut(count)
+                {
+                    *place = point;
+                    count += 1;
                 }
             }
             hull = attempt(kept.get(..count).unwrap_or(&[]))?;

@@ -1,0 +1,259 @@
+//! What an impulse spends most on, in instructions of Armv7-M and Armv8-M Mainline: an island of `unsafe`.
+//!
+//! The compiler spills what thirteen registers do hold, and knows neither shifts that may go beyond 31 places nor the bit
+//! that they leave in the carry. Both functions give every bit that the portable ones give, which the other cores and the host
+//! run: `examples/levers.rs` prints the same hashes of thirty thousand contacts on all of them.
+#![allow(unsafe_code)]
+
+use core::arch::{asm, naked_asm};
+use core::ptr::{from_mut, from_ref};
+
+use fixed::FixedI32;
+use fixed::types::{I2F30, I32F0};
+
+use crate::math::{SymMat3, Vec3};
+use crate::scalar::lever32::Lever32;
+use crate::scalar::scaled32::Scaled32;
+use crate::scalar::stored32;
+
+/// A lever; `r`, `w` and `d` point to three words each, `inv_inertia` to six.
+#[unsafe(naked)]
+unsafe extern "C" fn lever_words(
+    r: *const i32,
+    w: *const i32,
+    d: *const i32,
+    inv_inertia: *const i32,
+    exponent: i32,
+) -> Lever32 {
+    naked_asm!(
+        "push {{r4-r11, lr}}",
+        // r4, r5, r6: r. r7: the places by which it moves left. A word's sign bits, less one, are the leading zeros of x ^ 2x.
+        "ldm r1, {{r4, r5, r6}}",
+        "eor r7, r4, r4, lsl #1",
+        "eor r8, r5, r5, lsl #1",
+        "orr r7, r7, r8",
+        "eor r8, r6, r6, lsl #1",
+        "orr r7, r7, r8",
+        "orr r7, r7, #2",
+        "clz r7, r7",
+        "lsl r4, r4, r7",
+        "lsl r5, r5, r7",
+        "lsl r6, r6, r7",
+        // lr, r1, r3: c = r x d. r8, r9, r10: d.
+        "ldm r3, {{r8, r9, r10}}",
+        "rsb r11, r9, #0",
+        "smull r12, lr, r5, r10",
+        "smlal r12, lr, r6, r11",
+        "rsb r11, r10, #0",
+        "smull r12, r1, r6, r8",
+        "smlal r12, r1, r4, r11",
+        "rsb r11, r8, #0",
+        "smull r12, r3, r4, r9",
+        "smlal r12, r3, r5, r11",
+        // w . c
+        "ldm r2, {{r4, r5, r6}}",
+        "smull r8, r9, r4, lr",
+        "smlal r8, r9, r5, r1",
+        "smlal r8, r9, r6, r3",
+        "strd r8, r9, [r0], #8",
+        // r4, r5, r6, r8, r9, r10: I^-1, xx, xy, xz, yy, yz, zz. r12: its exponent.
+        "ldrd r2, r12, [sp, #36]",
+        "ldm r2, {{r4, r5, r6, r8, r9, r10}}",
+        // r4, r5, r6: u = I^-1 c.
+        "smull r2, r11, r4, lr",
+        "smlal r2, r11, r5, r1",
+        "smlal r2, r11, r6, r3",
+        "lsl r11, r11, #3",
+        "orr r4, r11, r2, lsr #29",
+        "smull r2, r11, r5, lr",
+        "smlal r2, r11, r8, r1",
+        "smlal r2, r11, r9, r3",
+        "lsl r11, r11, #3",
+        "orr r5, r11, r2, lsr #29",
+        "smull r2, r11, r6, lr",
+        "smlal r2, r11, r9, r1",
+        "smlal r2, r11, r10, r3",
+        "lsl r11, r11, #3",
+        "orr r6, r11, r2, lsr #29",
+        // r8: the exponent of u.
+        "sub r8, r12, r7",
+        // r10, r9: c . u. r9, r10: its leading 30 bits and their exponent.
+        "smull r9, r10, r4, lr",
+        "smlal r9, r10, r5, r1",
+        "smlal r9, r10, r6, r3",
+        "cmp r10, #0",
+        "ble 3f",
+        "clz r1, r10",
+        "rsb r2, r1, #32",
+        "lsl r10, r10, r1",
+        "lsr r9, r9, r2",
+        "orr r9, r9, r10",
+        "lsr r9, r9, #2",
+        "2:",
+        "sub r10, r8, r7",
+        "sub r10, r10, r1",
+        "stm r0, {{r4-r10}}",
+        "pop {{r4-r11, pc}}",
+        // c . u below 2^32, most often zero: r parallel to d.
+        "3:",
+        "it mi",
+        "movmi r9, #0",
+        "mov r1, #31",
+        "lsrs r9, r9, #3",
+        "bne 2b",
+        "mov r10, #{lowest}",
+        "stm r0, {{r4-r10}}",
+        "pop {{r4-r11, pc}}",
+        lowest = const Scaled32::LOWEST,
+    )
+}
+
+/// A lever, as that of `portable.rs`.
+#[inline(always)]
+pub fn lever<F>(
+    r: &Vec3<FixedI32<F>>,
+    w: &Vec3<FixedI32<F>>,
+    d: &Vec3<I2F30>,
+    inv_inertia: &SymMat3<I2F30>,
+    exponent: i32,
+) -> Lever32 {
+    let (r, w, d, inv_inertia) =
+        (from_ref(r).cast(), from_ref(w).cast(), from_ref(d).cast(), from_ref(inv_inertia).cast());
+    // SAFETY: the references are to three words, or six, each; the function reads those, writes every field of the lever, which
+    // is `repr(C)`, and keeps to the calling convention.
+    unsafe { lever_words(r, w, d, inv_inertia, exponent) }
+}
+
+/// `add_scaled` for vectors of three words.
+#[unsafe(naked)]
+unsafe extern "C" fn add_scaled_words(x: *mut i32, d: *const i32, k: i32, down: i32) -> bool {
+    naked_asm!(
+        "cmp r3, #1",
+        "blt {far}",
+        "push {{r4-r8, lr}}",
+        // r4, r5, r6: d. r7, r8, r12: x.
+        "ldm r1, {{r4, r5, r6}}",
+        "ldm r0, {{r7, r8, r12}}",
+        "usat r3, #5, r3",
+        // The last bit that leaves by a shift is the carry, and the half that rounds.
+        "smull lr, r4, r4, r2",
+        "asrs r4, r4, r3",
+        "adcs r7, r7, r4",
+        "bvs 2f",
+        "smull lr, r5, r5, r2",
+        "asrs r5, r5, r3",
+        "adcs r8, r8, r5",
+        "bvs 2f",
+        "smull lr, r6, r6, r2",
+        "asrs r6, r6, r3",
+        "adcs r12, r12, r6",
+        "bvs 2f",
+        "stm r0, {{r7, r8, r12}}",
+        "mov r0, #0",
+        "pop {{r4-r8, pc}}",
+        "2:",
+        "pop {{r4-r8, lr}}",
+        "b {far}",
+        far = sym add_far,
+    )
+}
+
+/// For the few changes that `add_scaled` leaves alone. The format makes no difference.
+#[cold]
+extern "C" fn add_far(x: &mut Vec3<I32F0>, d: &Vec3<I2F30>, k: i32, down: i32) -> bool {
+    stored32::add_far(x, d, k, down)
+}
+
+/// Adds `d k / 2^(32 + down)` to `x`, rounded once a component; whether a component met the end of the range. The upper half of
+/// `d k` has 29 bits at most.
+#[inline(always)]
+pub fn add_scaled<F>(x: &mut Vec3<FixedI32<F>>, d: &Vec3<I2F30>, k: i32, down: i32) -> bool {
+    // SAFETY: the references are to three words each; the function reads those, writes those of `x` or leaves it to `add_far`,
+    // and keeps to the calling convention.
+    unsafe { add_scaled_words(from_mut(x).cast(), from_ref(d).cast(), k, down) }
+}
+
+/// Places to move right by: 31 leave of a word as much as more do. `places` is not negative.
+#[inline(always)]
+pub fn at_most_31(places: i32) -> u32 {
+    // Both ends, which is one instruction.
+    places.clamp(0, 31) as u32
+}
+
+/// `x / 2^places` rounded, ties up, for |x| <= 2^30 and one place or more.
+#[inline(always)]
+pub fn round_right(mut x: i32, places: i32) -> i32 {
+    // SAFETY: reads and writes the declared registers and the flags, and touches neither memory nor stack.
+    unsafe {
+        asm!(
+            "usat {places}, #5, {places}",
+            "asrs {x}, {x}, {places}",
+            "adc {x}, {x}, #0",
+            x = inout(reg) x,
+            places = inout(reg) places => _,
+            options(pure, nomem, nostack),
+        );
+    }
+    x
+}
+
+/// `x / 2^places` cut off. `places` in `0..=31`.
+#[inline(always)]
+pub fn shift_right(x: i64, places: u32) -> i64 {
+    let (mut low, mut high) = (x as u32, (x >> 32) as i32);
+    // SAFETY: reads and writes the declared registers, and touches neither memory, stack nor flags.
+    unsafe {
+        asm!(
+            // By 32 places nothing is left.
+            "lsr {low}, {low}, {places}",
+            "lsl {carried}, {high}, {rest}",
+            "orr {low}, {low}, {carried}",
+            "asr {high}, {high}, {places}",
+            low = inout(reg) low,
+            high = inout(reg) high,
+            carried = out(reg) _,
+            places = in(reg) places,
+            rest = in(reg) 32u32.wrapping_sub(places),
+            options(pure, nomem, nostack, preserves_flags),
+        );
+    }
+    (high as i64) << 32 | low as i64
+}
+
+/// `x 2^places / 2^32` cut off, for results within 32 bits. `places` in `0..=31`.
+#[inline(always)]
+pub fn shift_left(x: i64, places: u32) -> i32 {
+    let mut high = (x >> 32) as i32;
+    // SAFETY: reads and writes the declared registers, and touches neither memory, stack nor flags.
+    unsafe {
+        asm!(
+            "lsl {high}, {high}, {places}",
+            "lsr {low}, {low}, {rest}",
+            "orr {high}, {high}, {low}",
+            low = inout(reg) x as u32 => _,
+            high = inout(reg) high,
+            places = in(reg) places,
+            rest = in(reg) 32u32.wrapping_sub(places),
+            options(pure, nomem, nostack, preserves_flags),
+        );
+    }
+    high
+}
+
+/// A number above zero moved left until it fills 32 bits, and by how many places.
+#[inline(always)]
+pub fn filled(x: u32) -> (u32, u32) {
+    let (filled, zeros): (u32, u32);
+    // SAFETY: reads and writes the declared registers, and touches neither memory, stack nor flags.
+    unsafe {
+        asm!(
+            "clz {zeros}, {x}",
+            "lsl {filled}, {x}, {zeros}",
+            x = in(reg) x,
+            zeros = out(reg) zeros,
+            filled = lateout(reg) filled,
+            options(pure, nomem, nostack, preserves_flags),
+        );
+    }
+    (filled, zeros)
+}

@@ -1,0 +1,91 @@
+//! What `mainline.rs` does in instructions of its cores, for all others.
+
+use fixed::FixedI32;
+use fixed::types::I2F30;
+
+use crate::math::{SymMat3, Vec3};
+use crate::scalar::integer::leading_zeros;
+use crate::scalar::lever32::Lever32;
+use crate::scalar::product::{dot, dot2, product};
+use crate::scalar::scaled32::Scaled32;
+use crate::scalar::stored32::{add_change, add_far, moved};
+use crate::scalar::wide::{bits, bits_of, high, magnitude, narrow, units};
+pub(in crate::scalar) use crate::scalar::wide::{shift_left, shift_right};
+
+/// The lever of an arm and an angular velocity of one format.
+#[inline(always)]
+pub fn lever<F>(
+    r: &Vec3<FixedI32<F>>,
+    w: &Vec3<FixedI32<F>>,
+    d: &Vec3<I2F30>,
+    inv_inertia: &SymMat3<I2F30>,
+    exponent: i32,
+) -> Lever32 {
+    lever_of(bits_of(r), bits_of(w), d, inv_inertia, exponent)
+}
+
+#[inline(never)]
+fn lever_of(r: [i32; 3], w: [i32; 3], d: &Vec3<I2F30>, inv_inertia: &SymMat3<I2F30>, exponent: i32) -> Lever32 {
+    let places = leading_zeros(magnitude(r)).wrapping_sub(1);
+    let r = [r[0].wrapping_shl(places), r[1].wrapping_shl(places), r[2].wrapping_shl(places)];
+    let d = bits(d);
+    let m = [d[0].wrapping_neg(), d[1].wrapping_neg(), d[2].wrapping_neg()];
+    // Without a multiply-and-subtract products with -d are added instead.
+    let c = [
+        narrow::<32>(dot2([r[1], r[2]], [d[2], m[1]])),
+        narrow::<32>(dot2([r[2], r[0]], [d[0], m[2]])),
+        narrow::<32>(dot2([r[0], r[1]], [d[1], m[0]])),
+    ];
+    let spin = dot(w, c);
+    let SymMat3 { xx, xy, xz, yy, yz, zz } = inv_inertia;
+    let x = narrow::<29>(dot([xx.to_bits(), xy.to_bits(), xz.to_bits()], c));
+    let y = narrow::<29>(dot([xy.to_bits(), yy.to_bits(), yz.to_bits()], c));
+    let z = narrow::<29>(dot([xz.to_bits(), yz.to_bits(), zz.to_bits()], c));
+    // Never negative: cutting off must not make it so.
+    let product = dot(c, [x, y, z]);
+    let product = if product < 0 { 0 } else { product };
+    let zeros = leading_zeros((product >> 32) as u32 | 1);
+    let inverse_mass = shift_left(product, zeros) as u32 >> 2;
+    let places = places as i32;
+    let turn_exponent = exponent.wrapping_sub(places);
+    // What is zero has no say in which power of two a sum takes.
+    let of_product = turn_exponent.wrapping_sub(places).wrapping_sub(zeros as i32);
+    let inverse_mass_exponent = if inverse_mass == 0 { Scaled32::LOWEST } else { of_product };
+    Lever32 { spin, turn: units([x, y, z]), places, turn_exponent, inverse_mass, inverse_mass_exponent }
+}
+
+/// Adds `d k / 2^(32 + down)` to `x`, rounded once a component; whether a component met the end of the range. The upper half of
+/// `d k` has 29 bits at most.
+#[inline(always)]
+pub fn add_scaled<F>(x: &mut Vec3<FixedI32<F>>, d: &Vec3<I2F30>, k: i32, down: i32) -> bool {
+    if down <= 0 {
+        return add_far(x, d, k, down);
+    }
+    // By a place or more: what was cut off below makes no difference to the rounding.
+    let places = at_most_31(down);
+    let half = (1u32.wrapping_shl(places) >> 1) as i32;
+    let [d0, d1, d2] = bits(d);
+    let d_k = [high(product(d0, k)), high(product(d1, k)), high(product(d2, k))];
+    let change = [moved(d_k[0], half, places), moved(d_k[1], half, places), moved(d_k[2], half, places)];
+    if add_change(x, change) { add_far(x, d, k, down) } else { false }
+}
+
+/// Places to move right by: 31 leave of a word as much as more do. `places` is not negative.
+#[inline(always)]
+pub fn at_most_31(places: i32) -> u32 {
+    (places as u32).min(31)
+}
+
+/// `x / 2^places` rounded, ties up, for |x| <= 2^30 and one place or more.
+#[inline(always)]
+pub fn round_right(x: i32, places: i32) -> i32 {
+    let places = at_most_31(places);
+    x.wrapping_add((1u32.wrapping_shl(places) >> 1) as i32).wrapping_shr(places)
+}
+
+/// A number above zero moved left until it fills 32 bits, and by how many places.
+#[inline(always)]
+pub const fn filled(x: u32) -> (u32, u32) {
+    let zeros = leading_zeros(x | 1);
+    (x.wrapping_shl(zeros), zeros)
+}
