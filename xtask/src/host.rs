@@ -22,11 +22,11 @@ pub fn build(feature: &str, optimised: Optimised, examples: &[String]) -> Result
     cargo.args(["build", "--quiet", "--no-default-features", "--features", feature, "--target-dir"]);
     cargo.arg(workspace::target_dir());
     let profile = match optimised {
-        Optimised::Release => "release",
+        Optimised::Release => "quick-release",
         Optimised::Debug => "debug",
     };
     if optimised == Optimised::Release {
-        cargo.arg("--release");
+        cargo.args(["--profile", profile]);
     }
     for example in examples {
         workspace::check_example(example)?;

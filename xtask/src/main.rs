@@ -115,7 +115,7 @@ enum Action {
     /// Check linked firmware: no panics, no allocator, no 64-bit division, no floats in fixed point
     ///
     /// Follows the calls from every function of carom, and from every `kernel_...` function of an example. Without
-    /// options it builds and checks every example for every target and number type in both profiles.
+    /// options it builds and checks every example for every target and number type, and most of them with every check on for two targets.
     Elf(elf::Options),
     /// Count what carom's operations cost on the boards: instructions, flash, stack
     ///

@@ -76,7 +76,7 @@ pub fn run(only: Option<Stage>, yes: bool, tidy: bool) -> Result<()> {
 
 /// Removes firmware and release builds of this machine, without what is slow to make anew: the boards' `core` and ourselves.
 fn clear() -> Result<()> {
-    for folder in ["debian", "release"].map(|name| workspace::target_dir().join(name)) {
+    for folder in ["debian", "quick-release", "release"].map(|name| workspace::target_dir().join(name)) {
         if folder.is_dir() {
             std::fs::remove_dir_all(&folder).with_context(|| format!("removing {}", folder.display()))?;
         }

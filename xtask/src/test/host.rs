@@ -17,7 +17,8 @@ const INTEROP_ON_HOSTS: &str = "arbitrary";
 
 /// Runs the stage.
 pub fn run(toolchain: &Toolchain) -> Result<()> {
-    for set in [&["--all-features"][..], &["--package", "xtask"]] {
+    // Without the examples: the boards' stage builds and runs them.
+    for set in [&["--all-features", "--tests"][..], &["--all-features", "--doc"], &["--package", "xtask"]] {
         timed(own_cargo().args(["test", "--quiet"]).args(set))?;
     }
     for feature in FEATURES {
