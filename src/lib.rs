@@ -159,7 +159,7 @@ pub use scalar::Scaled32;
 pub use scalar::{Column, Scalar, Scaled, StepArithmetic, Weights};
 pub use shape::{
     Capsule, Closest, Collide, Compound, ConvexHull, Cuboid, HalfSpace, HeightField, MAX_CORNERS, MAX_FACE_CORNERS,
-    ManifoldSink, Member, Part, Shape, Sphere,
+    ManifoldSink, Member, OutlineSink, Part, Shape, Sphere,
 };
 pub use world::{BodyHandle, World};
 
