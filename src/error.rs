@@ -188,3 +188,18 @@ errors! {
         Damping => "body: the linear or the angular damping is not finite",
     }
 }
+
+#[cfg(feature = "embedded-graphics")]
+errors! {
+    /// A view that cannot be drawn.
+    ViewError {
+        /// The width or height of the display is zero or above 3840 pixels.
+        Size => "size: a width or height is zero or above 3840 pixels",
+        /// Eye and target are the same point, or one is not finite.
+        Direction => "camera: it looks nowhere; eye and target are the same point, or not finite",
+        /// The upward direction is that of the sight.
+        Up => "camera: up is the direction in which it looks",
+        /// What is seen has no width.
+        HalfWidth => "lens: the half width is not positive and finite",
+    }
+}

@@ -1,4 +1,4 @@
-//! carom beside other crates: what the features `mint`, `serde`, `defmt` and `arbitrary` add.
+//! carom beside other crates: what the features `mint`, `serde`, `defmt`, `arbitrary` and `embedded-graphics` add.
 //!
 //! Each is an optional dependency without its default features, and adds implementations of that crate's traits to the public
 //! types; no type or function of carom changes. None of them costs a firmware anything that it does not use.
@@ -9,6 +9,7 @@
 //! | `serde` | `Serialize`, `Deserialize` | files, links between machines |
 //! | `defmt` | `Format` | logs of firmware |
 //! | `arbitrary` | `Arbitrary` | fuzzers, on the host: that crate needs `std` |
+//! | `embedded-graphics` | views of worlds and shapes, as `Drawable` | displays |
 //!
 //! # mint
 //!
@@ -40,6 +41,12 @@
 //!
 //! Any value that safe code could make: vectors with any bits in them, NaN included; directions, orientations, materials, shapes and
 //! bodies as their constructors would give them.
+//!
+//! # embedded-graphics
+//!
+//! Worlds, shapes, lines and faces as a camera sees them, on any `DrawTarget`, whole or band by band:
+#![cfg_attr(feature = "embedded-graphics", doc = "[`embedded_graphics`].")]
+#![cfg_attr(not(feature = "embedded-graphics"), doc = "the module `embedded_graphics`.")]
 
 #[cfg(feature = "arbitrary")]
 #[cfg_attr(docsrs, doc(cfg(feature = "arbitrary")))]
@@ -47,6 +54,9 @@ mod arbitrary;
 #[cfg(feature = "defmt")]
 #[cfg_attr(docsrs, doc(cfg(feature = "defmt")))]
 mod defmt;
+#[cfg(feature = "embedded-graphics")]
+#[cfg_attr(docsrs, doc(cfg(feature = "embedded-graphics")))]
+pub mod embedded_graphics;
 #[cfg(feature = "mint")]
 #[cfg_attr(docsrs, doc(cfg(feature = "mint")))]
 mod mint;

@@ -111,8 +111,8 @@
 //! # Beside other crates
 //!
 //! Features add implementations of others' traits: `mint` (vectors, quaternions and matrices, from and to any library of
-//! mathematics), `serde` (public values, validated on the way in), `defmt` (logs), `arbitrary` (fuzzers). [`interop`] says what
-//! each holds.
+//! mathematics), `serde` (public values, validated on the way in), `defmt` (logs), `arbitrary` (fuzzers), `embedded-graphics`
+//! (a world on a display). [`interop`] says what each holds.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![deny(missing_docs)]
@@ -159,7 +159,7 @@ pub use scalar::Scaled32;
 pub use scalar::{Column, Scalar, Scaled, StepArithmetic, Weights};
 pub use shape::{
     Capsule, Closest, Collide, Compound, ConvexHull, Cuboid, HalfSpace, HeightField, MAX_CORNERS, MAX_FACE_CORNERS,
-    ManifoldSink, Member, Part, Shape, Sphere,
+    ManifoldSink, Member, OutlineSink, Part, Shape, Sphere,
 };
 pub use world::{BodyHandle, World};
 

@@ -361,6 +361,9 @@ pub trait Scaled:
     #[must_use]
     fn lowered(self, exponent: Self::Exponent) -> Self::Unit;
 
+    /// The largest integer that is not above the number, within +-2^30.
+    fn integer_below(self) -> i32;
+
     /// Three numbers as a block with components within +-1/2 (in floating point: themselves).
     fn align3(v: [Self; 3]) -> ([Self::Unit; 3], Self::Exponent);
 

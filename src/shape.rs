@@ -16,6 +16,7 @@ mod convex_hull;
 mod cuboid;
 mod half_space;
 mod height_field;
+mod outline;
 mod set;
 mod sphere;
 
@@ -26,6 +27,7 @@ pub use self::cuboid::Cuboid;
 pub use self::half_space::HalfSpace;
 pub use self::height_field::HeightField;
 pub(crate) use self::height_field::Triangle;
+pub use self::outline::OutlineSink;
 pub use self::sphere::Sphere;
 
 /// A shape in a frame of its own.
@@ -49,6 +51,11 @@ pub trait Shape<S: Scalar>: Copy {
 
     /// The point of the surface that is closest to that point of the world. `None` of a height field, beside it.
     fn closest_point(&self, pose: &Pose<S>, point: Vec3<S>) -> Option<SurfacePoint<S>>;
+
+    /// Tells what the shape looks like in that pose, to be drawn. Nothing, unless the shape says otherwise.
+    fn outline<K: OutlineSink<S>>(&self, pose: &Pose<S>, sink: &mut K) {
+        let _ = (pose, sink);
+    }
 }
 
 /// A shape that is not a set of shapes: what sets made by [`shapes!`](crate::shapes) meet besides their own kind.

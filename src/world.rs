@@ -154,6 +154,12 @@ impl<S: Scalar, Sh, const BODIES: usize, const MANIFOLDS: usize, const POINTS: u
             .map(|((slot, body), index)| (slot.handle(index), body))
     }
 
+    /// The bodies with their shapes, in the same order: for whoever draws them.
+    pub fn bodies_with_shapes(&self) -> impl Iterator<Item = (BodyHandle, &Body<S>, &Sh)> {
+        let shape = |handle: BodyHandle| self.shapes.get(usize::from(handle.index));
+        self.bodies().filter_map(move |(handle, body)| Some((handle, body, shape(handle)?)))
+    }
+
     /// The body.
     ///
     /// # Errors

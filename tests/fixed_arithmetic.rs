@@ -205,6 +205,8 @@ fn scaled_operations_are_correctly_rounded() {
         assert!(is_rounded(x - y, (m << (e - low)) - (n << (f - low)), low), "{x:?} - {y:?}");
         assert!(is_rounded(x * y, m * n, e + f), "{x:?} * {y:?}");
         assert_eq!(x.partial_cmp(&y), (m << (e - low)).partial_cmp(&(n << (f - low))), "{x:?} <=> {y:?}");
+        let exact = if e < 0 { m >> -e } else { m << e };
+        assert_eq!(i128::from(x.integer_below()), exact.clamp(-1 << 30, 1 << 30), "the integer below {x:?}");
         if n != 0 {
             // |q - m/n| <= 2^-30 |m/n|, without a division: |q n - m| 2^30 <= |m|.
             let (q, g) = value(x / y);

@@ -19,7 +19,7 @@ pub const SUB_STEPS: u8 = 4;
 pub const STEPS: u32 = 600;
 
 /// Half an edge, in thousandths of a decimetre.
-const HALF: i32 = 80;
+pub const HALF: i32 = 80;
 
 /// Room for the table and the dice, for each on the table and one against the other.
 pub type Room<S> = World<S, Piece<S>, { DICE + 1 }, 3, 12>;

@@ -18,34 +18,34 @@ pub enum Look {
 }
 
 /// A shape that a trace can hold.
-pub trait Outline<S: Scalar> {
+pub trait Traced<S: Scalar> {
     /// Writes its kind, then its sizes.
-    fn outline(&self, file: &mut BinaryWriter);
+    fn write(&self, file: &mut BinaryWriter);
 }
 
-impl<S: Scalar> Outline<S> for HalfSpace<S> {
-    fn outline(&self, file: &mut BinaryWriter) {
+impl<S: Scalar> Traced<S> for HalfSpace<S> {
+    fn write(&self, file: &mut BinaryWriter) {
         file.bytes(b"H");
         self.normal().get().to_array().into_iter().for_each(|part| word(file, part));
     }
 }
 
-impl<S: Scalar> Outline<S> for Sphere<S> {
-    fn outline(&self, file: &mut BinaryWriter) {
+impl<S: Scalar> Traced<S> for Sphere<S> {
+    fn write(&self, file: &mut BinaryWriter) {
         file.bytes(b"S");
         word(file, self.radius());
     }
 }
 
-impl<S: Scalar> Outline<S> for Cuboid<S> {
-    fn outline(&self, file: &mut BinaryWriter) {
+impl<S: Scalar> Traced<S> for Cuboid<S> {
+    fn write(&self, file: &mut BinaryWriter) {
         file.bytes(b"B");
         self.half_extents().to_array().into_iter().for_each(|part| word(file, part));
     }
 }
 
-impl<S: Scalar> Outline<S> for Capsule<S> {
-    fn outline(&self, file: &mut BinaryWriter) {
+impl<S: Scalar> Traced<S> for Capsule<S> {
+    fn write(&self, file: &mut BinaryWriter) {
         file.bytes(b"C");
         word(file, self.radius());
         word(file, self.half_length());
@@ -55,9 +55,9 @@ impl<S: Scalar> Outline<S> for Capsule<S> {
 /// The sets of shapes of the scenes.
 macro_rules! sets {
     ($($scene:ident: $($shape:ident),+;)+) => {$(
-        impl<S: Scalar> Outline<S> for scenes::$scene::Piece<S> {
-            fn outline(&self, file: &mut BinaryWriter) {
-                match self { $(Self::$shape(shape) => shape.outline(file)),+ }
+        impl<S: Scalar> Traced<S> for scenes::$scene::Piece<S> {
+            fn write(&self, file: &mut BinaryWriter) {
+                match self { $(Self::$shape(shape) => shape.write(file)),+ }
             }
         }
     )+};

@@ -14,7 +14,7 @@ use carom::{Body, Collide, Scalar, Scaled, StateHash, Vec3, World};
 
 use crate::board::{self, BinaryWriter};
 use crate::numbers::Number;
-use look::{Look, Outline};
+use look::{Look, Traced};
 
 const MAGIC: &[u8; 8] = b"CAROM\0TR";
 const VERSION: u8 = 1;
@@ -52,7 +52,7 @@ impl<const BODIES: usize> Trace<BODIES> {
         look: impl Fn(usize) -> Look,
     ) -> Option<Self>
     where
-        Sh: Collide<S, Sh> + Outline<S>,
+        Sh: Collide<S, Sh> + Traced<S>,
     {
         let mut trace = Self { file: None, written: [0; BODIES], frames: 0 };
         let Some(path) = board::option("--trace") else { return Some(trace) };
@@ -123,7 +123,7 @@ fn header<S: Number, Sh, const BODIES: usize, const MANIFOLDS: usize, const POIN
     clock: Clock,
     look: impl Fn(usize) -> Look,
 ) where
-    Sh: Collide<S, Sh> + Outline<S>,
+    Sh: Collide<S, Sh> + Traced<S>,
 {
     file.bytes(MAGIC);
     file.bytes(&[VERSION, S::NAME.len() as u8]);
@@ -136,7 +136,7 @@ fn header<S: Number, Sh, const BODIES: usize, const MANIFOLDS: usize, const POIN
     for (handle, body) in world.bodies() {
         file.bytes(&[handle.index() as u8, look(handle.index()) as u8]);
         if let Ok(shape) = world.shape(handle) {
-            shape.outline(file);
+            shape.write(file);
         }
         scaled::<S>(file, body.inv_mass());
         body.inv_inertia_local().into_iter().for_each(|entry| scaled::<S>(file, entry));

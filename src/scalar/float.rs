@@ -412,6 +412,11 @@ macro_rules! float_scalar {
             }
 
             #[inline(always)]
+            fn integer_below(self) -> i32 {
+                <Self as $crate::scalar::Scalar>::integer_below(self)
+            }
+
+            #[inline(always)]
             fn align3(v: [Self; 3]) -> ([Self; 3], ()) {
                 (v, ())
             }

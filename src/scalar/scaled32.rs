@@ -312,6 +312,15 @@ impl Scaled for Scaled32 {
     }
 
     #[inline]
+    fn integer_below(self) -> i32 {
+        // At least 2^30.
+        if self.exponent > 30 {
+            return self.mantissa.signum() << 30;
+        }
+        self.mantissa >> 30i32.wrapping_sub(self.exponent).min(31) as u32
+    }
+
+    #[inline]
     fn align3(v: [Self; 3]) -> ([I2F30; 3], i32) {
         let exponent_of = |x: Self| if x.mantissa == 0 { -LIMIT } else { x.exponent };
         // One place of headroom: components within 1/2.

@@ -6,7 +6,7 @@ use crate::mass::Solid;
 use crate::math::{Pose, Vec3, abs};
 use crate::query::{self, Ray, RayHit, SurfacePoint};
 use crate::scalar::Scalar;
-use crate::shape::{Shape, is_positive};
+use crate::shape::{OutlineSink, Shape, is_positive};
 
 /// All within a radius of a segment along the z axis of its frame, which the origin halves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,5 +74,10 @@ impl<S: Scalar> Shape<S> for Capsule<S> {
     #[inline]
     fn closest_point(&self, pose: &Pose<S>, point: Vec3<S>) -> Option<SurfacePoint<S>> {
         query::closest_point(self, pose, point)
+    }
+
+    fn outline<K: OutlineSink<S>>(&self, pose: &Pose<S>, sink: &mut K) {
+        let reach = pose.rotate(Vec3::new(S::ZERO, S::ZERO, self.half_length));
+        sink.rod([pose.position - reach, pose.position + reach], self.radius);
     }
 }

@@ -5,7 +5,7 @@ use crate::error::CompoundError;
 use crate::math::{Pose, Vec3, min};
 use crate::query::{Ray, RayHit, SurfacePoint};
 use crate::scalar::Scalar;
-use crate::shape::{Member, Shape, at_most};
+use crate::shape::{Member, OutlineSink, Shape, at_most};
 
 /// The most parts: they are counted in eight bits.
 const MOST: usize = 255;
@@ -122,5 +122,11 @@ impl<S: Scalar, P: Shape<S>> Shape<S> for Compound<'_, S, P> {
             }
         }
         best
+    }
+
+    fn outline<K: OutlineSink<S>>(&self, pose: &Pose<S>, sink: &mut K) {
+        for part in self.parts {
+            part.shape.outline(&pose.times(&part.pose), sink);
+        }
     }
 }

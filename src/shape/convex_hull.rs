@@ -1,11 +1,13 @@
 //! The convex hull of some points.
 
+use heapless::Vec;
+
 use crate::aabb::Aabb;
 use crate::error::HullError;
 use crate::math::{Pose, Vec3, max, min};
 use crate::query::{self, Ray, RayHit, SurfacePoint};
 use crate::scalar::Scalar;
-use crate::shape::Shape;
+use crate::shape::{OutlineSink, Shape};
 
 mod build;
 
@@ -119,5 +121,17 @@ impl<S: Scalar, const N: usize> Shape<S> for &ConvexHull<S, N> {
     #[inline]
     fn closest_point(&self, pose: &Pose<S>, point: Vec3<S>) -> Option<SurfacePoint<S>> {
         query::closest_point(self, pose, point)
+    }
+
+    fn outline<K: OutlineSink<S>>(&self, pose: &Pose<S>, sink: &mut K) {
+        for face in self.faces() {
+            let corners = self.ring(face).iter().filter_map(|number| self.corners.get(usize::from(*number)));
+            let mut ring = Vec::<Vec3<S>, MAX_FACE_CORNERS>::new();
+            for &corner in corners {
+                // There is room for as many as a face may have.
+                let _ = ring.push(pose.to_world(corner));
+            }
+            sink.face(&ring);
+        }
     }
 }

@@ -4,7 +4,7 @@ use crate::aabb::Aabb;
 use crate::math::{Pose, UnitVec3, Vec3};
 use crate::query::{self, Ray, RayHit, SurfacePoint};
 use crate::scalar::Scalar;
-use crate::shape::Shape;
+use crate::shape::{OutlineSink, Shape};
 
 /// Everything behind the plane through the origin of its frame: the ground, a wall. It belongs on an immovable body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,5 +44,9 @@ impl<S: Scalar> Shape<S> for HalfSpace<S> {
     #[inline]
     fn closest_point(&self, pose: &Pose<S>, point: Vec3<S>) -> Option<SurfacePoint<S>> {
         query::closest_point(self, pose, point)
+    }
+
+    fn outline<K: OutlineSink<S>>(&self, pose: &Pose<S>, sink: &mut K) {
+        sink.plane(pose.position, pose.rotate_direction(self.normal));
     }
 }

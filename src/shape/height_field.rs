@@ -5,7 +5,7 @@ use crate::error::HeightFieldError;
 use crate::math::{Pose, Vec3, max, min};
 use crate::query::{self, Ray, RayHit, SurfacePoint};
 use crate::scalar::Scalar;
-use crate::shape::{Shape, is_positive};
+use crate::shape::{OutlineSink, Shape, is_positive};
 
 /// The most columns or rows.
 const MOST: u16 = (1 << 14) - 1;
@@ -177,5 +177,20 @@ impl<S: Scalar> Shape<S> for HeightField<'_, S> {
 
     fn closest_point(&self, pose: &Pose<S>, point: Vec3<S>) -> Option<SurfacePoint<S>> {
         query::closest_point(self, pose, point)
+    }
+
+    /// The lines from sample to sample along both axes.
+    fn outline<K: OutlineSink<S>>(&self, pose: &Pose<S>, sink: &mut K) {
+        for row in 0..i32::from(self.rows) {
+            for column in 0..i32::from(self.columns) {
+                let Some(from) = self.point(column, row) else { continue };
+                let from = pose.to_world(from);
+                for next in [[column.wrapping_add(1), row], [column, row.wrapping_add(1)]] {
+                    if let Some(to) = self.point(next[0], next[1]) {
+                        sink.segment([from, pose.to_world(to)]);
+                    }
+                }
+            }
+        }
     }
 }

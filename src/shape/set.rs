@@ -68,6 +68,10 @@ macro_rules! shapes {
             ) -> Option<$crate::SurfacePoint<$s>> {
                 match self { $(Self::$variant(shape) => $crate::Shape::<$s>::closest_point(shape, pose, point),)+ }
             }
+
+            fn outline<Sink: $crate::OutlineSink<$s>>(&self, pose: &$crate::Pose<$s>, sink: &mut Sink) {
+                match self { $(Self::$variant(shape) => $crate::Shape::<$s>::outline(shape, pose, sink),)+ }
+            }
         }
 
         impl<$($life,)* $s: $crate::Scalar> $name<$($life,)* $s> {

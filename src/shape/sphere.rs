@@ -6,7 +6,7 @@ use crate::mass::Solid;
 use crate::math::{Pose, Vec3};
 use crate::query::{self, Ray, RayHit, SurfacePoint};
 use crate::scalar::Scalar;
-use crate::shape::{Shape, is_positive};
+use crate::shape::{OutlineSink, Shape, is_positive};
 
 /// A ball around the origin of its frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,5 +65,9 @@ impl<S: Scalar> Shape<S> for Sphere<S> {
     #[inline]
     fn closest_point(&self, pose: &Pose<S>, point: Vec3<S>) -> Option<SurfacePoint<S>> {
         query::closest_point(self, pose, point)
+    }
+
+    fn outline<K: OutlineSink<S>>(&self, pose: &Pose<S>, sink: &mut K) {
+        sink.rod([pose.position; 2], self.radius);
     }
 }

@@ -56,18 +56,17 @@ pub fn run(action: Action) -> Result<()> {
         Action::Header { check: false } => header::write(),
         Action::Build { target, yes } => {
             let archive = match target {
-                Some(target) => archive::build(&setup::ensure(yes)?, &target)?,
+                Some(target) => archive::build(&setup::ensure_target(&target, yes)?, &target)?,
                 None => archive::build_for_host()?,
             };
             println!("{}", archive.display());
             Ok(())
         }
         Action::Install { prefix, target, yes } => {
-            println!("installing:");
-            if target.is_empty() {
-                return package::install(&prefix, None);
-            }
-            package::install(&prefix, Some((&setup::ensure(yes)?, &target)))
+            let toolchains =
+                target.iter().map(|target| setup::ensure_target(target, yes)).collect::<Result<Vec<_>>>()?;
+            println!("installing (each archive is compiled first, a minute or two):");
+            package::install(&prefix, toolchains.last().map(|toolchain| (toolchain, &target[..])))
         }
     }
 }

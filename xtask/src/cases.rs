@@ -32,7 +32,8 @@ const BUT_I8F24: &[Scalar] = &[Scalar::F32, Scalar::I16F16, Scalar::I12F20, Scal
 
 const NOT_F64: &[Scalar] = &[Scalar::F32, Scalar::I16F16, Scalar::I12F20, Scalar::I8F24, Scalar::Micromath];
 
-/// Ten boxes need forty points: 15 KB of 16, which leaves no stack. This machine runs it.
+/// Ten boxes need forty points: 15 KB of 16, which leaves no stack. This machine runs it. What is drawn has a
+/// stage of its own.
 const NOWHERE: &[Case] = &[];
 
 /// Measured impacts: the numbers go over the debug channel, which is too slow to do it everywhere.
@@ -70,12 +71,18 @@ pub fn cases(example: &str) -> &'static [Case] {
         "billiards" | "dice" | "marble_maze" | "newtons_cradle" | "pinball" => WORLDS,
         "edge" | "shapes" => LARGE,
         "impacts" => IMPACTS,
-        "stack" => NOWHERE,
+        "drawing" | "stack" => NOWHERE,
         "tosses" => TOSSES,
         "levers" | "products" => PRODUCTS,
         "selftest" => SELFTEST,
         _ => EVERYWHERE,
     }
+}
+
+/// The features of a build of these examples in that number type: what draws needs one more.
+pub fn features(feature: &str, examples: &[String]) -> String {
+    let draws = examples.iter().any(|example| example == "drawing");
+    if draws { format!("{feature},embedded-graphics") } else { feature.to_owned() }
 }
 
 /// Whether a board runs the example in firmware of that feature.

@@ -1,5 +1,6 @@
 //! Building examples as firmware.
 
+use crate::cases;
 use crate::process;
 use crate::toolchain::Toolchain;
 use crate::workspace;
@@ -40,7 +41,7 @@ impl Build {
     pub fn run(self, toolchain: &Toolchain, examples: &[String]) -> Result<Vec<PathBuf>> {
         let Build { target, feature, profile } = self;
         let mut cargo = toolchain.cargo("build", target);
-        cargo.args(["--quiet", "--no-default-features", "--features", feature]);
+        cargo.args(["--quiet", "--no-default-features", "--features", &cases::features(feature, examples)]);
         cargo.args(["--profile", &profile.to_string()]);
         for example in examples {
             workspace::check_example(example)?;

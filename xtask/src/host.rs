@@ -1,6 +1,7 @@
 //! Building and running the same examples on this machine, to compare with.
 
 use crate::boards::Scalar;
+use crate::cases;
 use crate::process;
 use crate::toolchain::own_cargo;
 use crate::workspace;
@@ -19,14 +20,14 @@ pub enum Optimised {
 /// Compiles the examples with the one feature and returns the programs, in the same order.
 pub fn build(feature: &str, optimised: Optimised, examples: &[String]) -> Result<Vec<PathBuf>> {
     let mut cargo = own_cargo();
-    cargo.args(["build", "--quiet", "--no-default-features", "--features", feature, "--target-dir"]);
-    cargo.arg(workspace::target_dir());
+    cargo.args(["build", "--quiet", "--no-default-features", "--features", &cases::features(feature, examples)]);
+    cargo.arg("--target-dir").arg(workspace::target_dir());
     let profile = match optimised {
-        Optimised::Release => "release",
+        Optimised::Release => "quick-release",
         Optimised::Debug => "debug",
     };
     if optimised == Optimised::Release {
-        cargo.arg("--release");
+        cargo.args(["--profile", profile]);
     }
     for example in examples {
         workspace::check_example(example)?;

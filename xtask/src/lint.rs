@@ -13,7 +13,9 @@ pub fn run(yes: bool) -> Result<()> {
         for feature in FEATURES {
             println!("clippy: {target} {feature}");
             let mut cargo = toolchain.cargo("clippy", target);
-            cargo.args(["--quiet", "--lib", "--examples", "--no-default-features", "--features", feature]);
+            cargo.args(["--quiet", "--lib", "--examples", "--no-default-features"]);
+            // With this one all examples are there.
+            cargo.arg("--features").arg(format!("{feature},embedded-graphics"));
             process::run(cargo.args(["--", "-D", "warnings"]))?;
         }
         println!("clippy: {target} benches");

@@ -5,6 +5,7 @@ mod boards;
 mod capi;
 mod cases;
 mod demo;
+mod drawing;
 mod elf;
 mod firmware;
 mod guide;
@@ -112,10 +113,12 @@ enum Action {
     /// Runs it with --trace, on a board in QEMU or on this machine, and writes one page that needs no network: the replay with
     /// contacts and impulses, energy, momentum, and with --compare a ghost in another number type with its distance.
     View(view::Options),
+    /// Draw thrown dice on a display of 240 x 240 pixels, on a board in QEMU or on this machine, and keep the frame as a PNG
+    Draw(drawing::Options),
     /// Check linked firmware: no panics, no allocator, no 64-bit division, no floats in fixed point
     ///
     /// Follows the calls from every function of carom, and from every `kernel_...` function of an example. Without
-    /// options it builds and checks every example for every target and number type in both profiles.
+    /// options it builds and checks every example for every target and number type, and most of them with every check on for two targets.
     Elf(elf::Options),
     /// Count what carom's operations cost on the boards: instructions, flash, stack
     ///
@@ -174,6 +177,7 @@ fn run(action: Action) -> Result<ExitCode> {
             return Ok(status(host::stream(program, scalar, &args, Duration::from_secs(timeout))?));
         }
         Action::View(options) => view::run(&options)?,
+        Action::Draw(options) => drawing::run(&options)?,
         Action::Elf(options) => elf::run(&options)?,
         Action::Bench(options) => bench::run(&options)?,
         Action::Chart => bench::document()?,

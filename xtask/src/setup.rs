@@ -7,7 +7,7 @@ mod packages;
 use crate::boards::{Board, RISCV_TARGET, TARGETS};
 use crate::process;
 use crate::toolchain::Toolchain;
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 use packages::{Manager, Package};
 use std::io::{IsTerminal, Write};
 
@@ -21,6 +21,15 @@ struct Kit {
 impl Kit {
     const CORTEX_M: Self = Self { targets: &TARGETS, emulator: "qemu-system-arm" };
     const RISCV: Self = Self { targets: &[RISCV_TARGET], emulator: "qemu-system-riscv32" };
+
+    /// For one target: a newcomer with one board waits for one.
+    fn of(target: &str) -> Result<Self> {
+        let one_of = |kit: Self| {
+            kit.targets.iter().position(|one| *one == target).map(|at| Self { targets: &kit.targets[at..=at], ..kit })
+        };
+        let kits = [Self::CORTEX_M, Self::RISCV];
+        kits.into_iter().find_map(one_of).with_context(|| format!("{target} is the target of no board here"))
+    }
 
     /// The targets, as one names them on a command line.
     fn target_list(self) -> String {
@@ -58,7 +67,12 @@ pub fn ensure(yes: bool) -> Result<Toolchain> {
 
 /// The same for one board, which may be another kind of processor.
 pub fn ensure_for(board: Board, yes: bool) -> Result<Toolchain> {
-    ensure_kit(if board == Board::Rv32 { Kit::RISCV } else { Kit::CORTEX_M }, yes)
+    ensure_target(board.target(), yes)
+}
+
+/// The same for one target.
+pub fn ensure_target(target: &str, yes: bool) -> Result<Toolchain> {
+    ensure_kit(Kit::of(target)?, yes)
 }
 
 fn ensure_kit(kit: Kit, yes: bool) -> Result<Toolchain> {

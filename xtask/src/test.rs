@@ -1,6 +1,7 @@
 //! `cargo xtask test`: everything, stage by stage, up to the first failure.
 
 mod boards;
+mod display;
 mod hardware;
 mod host;
 mod interop;
@@ -29,6 +30,8 @@ pub enum Stage {
     Interop,
     /// firmware for real boards: it builds, fits, and holds what it may
     Hardware,
+    /// a frame for a display, drawn on a board: as on this machine, and as in the documentation
+    Display,
     /// traces of boards and of this machine, and the page made of one in a headless Chromium
     View,
     /// the book of docs/, the links of all pages, and the firmware that `cargo xtask new` begins
@@ -60,6 +63,7 @@ pub fn run(only: Option<Stage>, yes: bool, tidy: bool) -> Result<()> {
             Stage::Riscv => riscv::run(yes),
             Stage::Interop => interop::run(yes),
             Stage::Hardware => hardware::run(yes),
+            Stage::Display => display::run(yes),
             Stage::View => view::run(yes),
             Stage::Guide => guide::test(yes),
         }
@@ -76,7 +80,7 @@ pub fn run(only: Option<Stage>, yes: bool, tidy: bool) -> Result<()> {
 
 /// Removes firmware and release builds of this machine, without what is slow to make anew: the boards' `core` and ourselves.
 fn clear() -> Result<()> {
-    for folder in ["debian", "release"].map(|name| workspace::target_dir().join(name)) {
+    for folder in ["debian", "quick-release", "release"].map(|name| workspace::target_dir().join(name)) {
         if folder.is_dir() {
             std::fs::remove_dir_all(&folder).with_context(|| format!("removing {}", folder.display()))?;
         }

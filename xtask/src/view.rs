@@ -15,6 +15,9 @@ use std::time::Duration;
 const PNG: Size = Size { width: 1280, height: 720, closer: 1.0 };
 const GIF: Size = Size { width: 800, height: 380, closer: 1.0 };
 
+/// The option by which examples write a trace.
+pub const TRACE: &str = "--trace";
+
 /// What to show, and as what.
 #[derive(clap::Args, Clone)]
 pub struct Options {
@@ -49,6 +52,24 @@ pub struct Options {
     pub args: Vec<String>,
 }
 
+impl Options {
+    /// A run of an example, without pictures.
+    pub fn new(example: &str, board: Option<Board>, scalar: Scalar, yes: bool) -> Self {
+        Self {
+            example: example.to_owned(),
+            board,
+            scalar,
+            compare: None,
+            out: None,
+            png: None,
+            gif: None,
+            timeout: 180,
+            yes,
+            args: Vec::new(),
+        }
+    }
+}
+
 /// Runs, reads, writes.
 pub fn run(options: &Options) -> Result<()> {
     let traced = traced_examples()?;
@@ -58,8 +79,9 @@ pub fn run(options: &Options) -> Result<()> {
     let options = &absolute(options)?;
     let stages = 3 + u64::from(options.compare.is_some()) * 2 + u64::from(options.board.is_some());
     let progress = Progress::new(stages);
-    let trace = Trace::read(&record(options, options.board, options.scalar, &progress)?)?;
-    let other = options.compare.map(|scalar| Trace::read(&record(options, None, scalar, &progress)?)).transpose()?;
+    let trace = Trace::read(&record(options, TRACE, options.board, options.scalar, &progress)?)?;
+    let here = |scalar| Trace::read(&record(options, TRACE, None, scalar, &progress)?);
+    let other = options.compare.map(here).transpose()?;
     progress.stage("looking at the trace");
     let replay = Replay::new(&trace, other.as_ref(), words(options))?;
     progress.end();
@@ -96,22 +118,30 @@ fn moment(replay: &Replay) -> usize {
     replay.times.partition_point(|other| *other < time).min(replay.len() - 1)
 }
 
-fn save(path: &Path, bytes: &[u8]) -> Result<()> {
+/// Writes a file, and makes the folder it lies in.
+pub fn save(path: &Path, bytes: &[u8]) -> Result<()> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder).with_context(|| format!("creating {}", folder.display()))?;
     }
     std::fs::write(path, bytes).with_context(|| format!("writing {}", path.display()))
 }
 
-/// The trace that the example writes on a board, or on this machine. To be called in the root of the repository.
-pub fn record(options: &Options, place: Option<Board>, scalar: Scalar, progress: &Progress) -> Result<Vec<u8>> {
+/// The file that the example writes on a board, or on this machine, if it is called with that option. To be called in the root of
+/// the repository.
+pub fn record(
+    options: &Options,
+    option: &str,
+    place: Option<Board>,
+    scalar: Scalar,
+    progress: &Progress,
+) -> Result<Vec<u8>> {
     let Options { example, timeout, .. } = options;
     let limit = Duration::from_secs(*timeout);
     let examples = std::slice::from_ref(example);
     let name = place.map_or_else(|| "host".to_owned(), |board| board.to_string());
-    let path = trace_file(example, scalar, &name)?;
+    let path = file(example, option, scalar, &name)?;
     let mut arguments = options.args.clone();
-    arguments.extend(["--trace".to_owned(), path.display().to_string()]);
+    arguments.extend([option.to_owned(), path.display().to_string()]);
     let (status, text) = match place {
         Some(board) => {
             let toolchain = progress.pause(|| setup::ensure(options.yes))?;
@@ -133,14 +163,14 @@ pub fn record(options: &Options, place: Option<Board>, scalar: Scalar, progress:
         std::io::stderr().write_all(&text)?;
         bail!("{example} in {scalar} failed on {name} ({status})");
     }
-    std::fs::read(&path).with_context(|| format!("reading the trace {}", path.display()))
+    std::fs::read(&path).with_context(|| format!("reading {}", path.display()))
 }
 
-/// Where a run writes its trace: by a short path, since a board takes a short command line. Nothing old is there.
-fn trace_file(example: &str, scalar: Scalar, place: &str) -> Result<PathBuf> {
+/// Where a run writes its file: by a short path, since a board takes a short command line. Nothing old is there.
+fn file(example: &str, option: &str, scalar: Scalar, place: &str) -> Result<PathBuf> {
     let folder = workspace::target_dir().join("view");
     std::fs::create_dir_all(&folder).with_context(|| format!("creating {}", folder.display()))?;
-    let path = folder.join(format!("{example}-{scalar}-{place}.trace"));
+    let path = folder.join(format!("{example}-{scalar}-{place}.{}", option.trim_start_matches('-')));
     let _ = std::fs::remove_file(&path);
     // Runs begin in the root of the repository.
     Ok(path.strip_prefix(workspace::root()).map(Path::to_path_buf).unwrap_or(path))

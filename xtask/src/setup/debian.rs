@@ -68,6 +68,9 @@ pub fn missing_clippy() -> Result<Vec<Package>> {
 /// Builds `core` and `alloc` for the targets into the private sysroot, beside those that an older call built with this compiler.
 pub fn build(kit: Kit) -> Result<Toolchain> {
     let version = compiler_version().with_context(|| format!("{RUSTC} does not run"))?;
+    let current = std::fs::read_to_string(stamp_file()).is_ok_and(|stamp| stamp == version);
+    let missing: Vec<&str> =
+        kit.targets.iter().copied().filter(|target| !current || !own::has_core(&sysroot(), target)).collect();
     let scratch = workspace::target_dir().join("thumb-sysroot-build");
     let output = scratch.join("target");
     std::fs::create_dir_all(scratch.join("src"))?;
@@ -77,7 +80,7 @@ pub fn build(kit: Kit) -> Result<Toolchain> {
         "[package]\nname = \"scratch\"\nversion = \"0.0.0\"\nedition = \"2021\"\n\n[workspace]\n",
     )?;
 
-    println!("setup: building `core` for the boards from Debian's source (one to three minutes, only once)");
+    println!("setup: building `core` from Debian's source, half a minute each, only once: {}", missing.join(" "));
     let mut cargo = debian_program(Path::new(CARGO));
     cargo.current_dir(&scratch);
     // `-Zbuild-std` is for nightly compilers; this lets a stable one take it. Bitcode is for firmware's link-time
@@ -85,7 +88,7 @@ pub fn build(kit: Kit) -> Result<Toolchain> {
     cargo.env("RUSTC", RUSTC).env("RUSTC_BOOTSTRAP", "1").env("RUSTFLAGS", "-Cembed-bitcode=yes");
     cargo.args(["build", "--release", "--target-dir"]).arg(&output);
     cargo.args(["-Zbuild-std=core,alloc,compiler_builtins", "-Zbuild-std-features=compiler-builtins-mem"]);
-    for target in kit.targets {
+    for target in &missing {
         cargo.args(["--target", target]);
     }
     // The source package holds its dependencies: nothing is downloaded.
@@ -98,12 +101,12 @@ pub fn build(kit: Kit) -> Result<Toolchain> {
     process::run(&mut cargo).context("building `core` from Debian's source")?;
 
     // The stamp goes first and comes last: a sysroot without it is not trusted.
-    if std::fs::read_to_string(stamp_file()).is_ok_and(|stamp| stamp == version) {
+    if current {
         std::fs::remove_file(stamp_file())?;
     } else {
         let _ = std::fs::remove_dir_all(sysroot());
     }
-    for target in kit.targets {
+    for target in missing {
         copy_libraries(&output.join(target).join("release/deps"), target)?;
     }
     std::fs::write(stamp_file(), version)?;

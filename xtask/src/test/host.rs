@@ -12,12 +12,13 @@ use std::time::Instant;
 const ALONE: [&str; 4] = ["--test", "determinism", "--test", "properties"];
 
 /// Features that add other crates' traits, and the one of them that needs `std`.
-const INTEROP: [&str; 3] = ["defmt", "mint", "serde"];
+const INTEROP: [&str; 4] = ["defmt", "embedded-graphics", "mint", "serde"];
 const INTEROP_ON_HOSTS: &str = "arbitrary";
 
 /// Runs the stage.
 pub fn run(toolchain: &Toolchain) -> Result<()> {
-    for set in [&["--all-features"][..], &["--package", "xtask"]] {
+    // Without the examples: the boards' stage builds and runs them.
+    for set in [&["--all-features", "--tests"][..], &["--all-features", "--doc"], &["--package", "xtask"]] {
         timed(own_cargo().args(["test", "--quiet"]).args(set))?;
     }
     for feature in FEATURES {

@@ -4,7 +4,7 @@ use crate::boards::{Board, Scalar};
 use crate::process;
 use crate::setup;
 use crate::toolchain::own_cargo;
-use crate::view::{self, Options, Progress};
+use crate::view::{self, Options, Progress, TRACE};
 use crate::workspace;
 use anyhow::{Context, Result, bail};
 use std::path::Path;
@@ -29,7 +29,7 @@ pub fn run(yes: bool) -> Result<()> {
     }
     let folder = workspace::target_dir().join("view");
     let page = folder.join("dice.html");
-    let mut options = options("dice", Some(Board::M0), Scalar::I16F16, yes);
+    let mut options = Options::new("dice", Some(Board::M0), Scalar::I16F16, yes);
     options.compare = Some(Scalar::F64);
     options.out = Some(page.clone());
     options.args = vec!["--seed".to_owned(), SEED.to_owned()];
@@ -37,26 +37,11 @@ pub fn run(yes: bool) -> Result<()> {
     try_page(&page, &folder)
 }
 
-fn options(example: &str, board: Option<Board>, scalar: Scalar, yes: bool) -> Options {
-    Options {
-        example: example.to_owned(),
-        board,
-        scalar,
-        compare: None,
-        out: None,
-        png: None,
-        gif: None,
-        timeout: 180,
-        yes,
-        args: Vec::new(),
-    }
-}
-
 fn compare(example: &str, board: Board, scalar: Scalar, yes: bool) -> Result<()> {
-    let options = options(example, Some(board), scalar, yes);
+    let options = Options::new(example, Some(board), scalar, yes);
     let progress = Progress::new(4);
-    let there = view::record(&options, Some(board), scalar, &progress)?;
-    let here = view::record(&options, None, scalar, &progress)?;
+    let there = view::record(&options, TRACE, Some(board), scalar, &progress)?;
+    let here = view::record(&options, TRACE, None, scalar, &progress)?;
     let trace = carom_view::Trace::read(&here)?;
     if let Some(byte) = (0..there.len().max(here.len())).find(|byte| there.get(*byte) != here.get(*byte)) {
         bail!("{example} in {scalar}: from byte {byte} on the trace of {board} is another than that of this machine");
