@@ -69,8 +69,9 @@ pub fn run(only: Option<Stage>, yes: bool, tidy: bool) -> Result<()> {
         }
         .with_context(|| format!("stage {name} failed (it alone: `cargo xtask test --only {name}`)"))?;
         println!("== {name}: passed in {} s ==", begun.elapsed().as_secs());
-        // The ELF stage goes on with what the boards' has built, and the benchmark with what is left at the end.
-        if tidy && !matches!(stage, Stage::Boards | Stage::Elf) {
+        // What others go on with stays: programs of this machine for the display and the view, firmware of the boards for the ELF
+        // stage, and what is left at the end for the benchmark.
+        if tidy && matches!(stage, Stage::Host | Stage::C | Stage::Hardware | Stage::Guide) {
             clear()?;
         }
     }
