@@ -18,6 +18,7 @@ const INTEROP_ON_HOSTS: &str = "arbitrary";
 /// Runs the stage.
 pub fn run(toolchain: &Toolchain) -> Result<()> {
     // Without the examples: the boards' stage builds and runs them.
+    // The examples are built by the boards' stage.
     for set in ["--tests", "--doc"] {
         timed(own_cargo().args(["test", "--quiet", "--all-features", set]))?;
     }
