@@ -44,11 +44,17 @@ pub(crate) struct Rests<S: Scalar> {
     pub position: [S::Remainder; 3],
     pub linear: [<S::Step as StepArithmetic<S>>::Rest; 3],
     pub angular: [<S::Step as StepArithmetic<S>>::Rest; 3],
+    /// Zero, where padding would be.
+    pub fill: <S::Step as StepArithmetic<S>>::Rest,
 }
 
 impl<S: Scalar> Rests<S> {
-    const NONE: Self =
-        Self { position: [S::NO_REMAINDER; 3], linear: [S::Step::NO_REST; 3], angular: [S::Step::NO_REST; 3] };
+    pub const NONE: Self = Self {
+        position: [S::NO_REMAINDER; 3],
+        linear: [S::Step::NO_REST; 3],
+        angular: [S::Step::NO_REST; 3],
+        fill: S::Step::NO_REST,
+    };
 }
 
 impl<S: Scalar> Body<S> {
@@ -168,7 +174,7 @@ impl<S: Scalar> Body<S> {
     }
 
     /// What it was made from.
-    #[cfg(feature = "serde")]
+    #[cfg(any(feature = "bytemuck", feature = "serde"))]
     pub(crate) const fn mass_properties(&self) -> MassProperties<S> {
         let Self { inv_mass, inv_inertia_local: inv_inertia, exponent, gyration, .. } = *self;
         MassProperties { inv_mass, inv_inertia, exponent, gyration }

@@ -1,4 +1,4 @@
-//! carom beside other crates: what the features `mint`, `serde`, `defmt`, `arbitrary` and `embedded-graphics` add.
+//! carom beside other crates: what the features `mint`, `serde`, `bytemuck`, `defmt`, `arbitrary` and `embedded-graphics` add.
 //!
 //! Each is an optional dependency without its default features, and adds implementations of that crate's traits to the public
 //! types; no type or function of carom changes. None of them costs a firmware anything that it does not use.
@@ -7,6 +7,7 @@
 //! |---|---|---|
 //! | `mint` | `From` and `TryFrom` between [`Vec3`](crate::Vec3), [`UnitVec3`](crate::UnitVec3), [`Quat`](crate::Quat), [`Mat3`](crate::Mat3) and mint's types | glam, nalgebra, cgmath and others |
 //! | `serde` | `Serialize`, `Deserialize` | files, links between machines |
+//! | `bytemuck` | `Pod`, or `NoUninit` and `CheckedBitPattern` | bytes in flash, over a radio, in memory that is shared |
 //! | `defmt` | `Format` | logs of firmware |
 //! | `arbitrary` | `Arbitrary` | fuzzers, on the host: that crate needs `std` |
 //! | `embedded-graphics` | views of worlds and shapes, as `Drawable` | displays |
@@ -32,6 +33,32 @@
 //! the derives like any enum, with a bound that names the numbers in it. A [`World`](crate::World) is kept by
 //! [`copy_from`](crate::World::copy_from).
 //!
+//! # bytemuck
+//!
+//! Values in place, without a format: vectors and matrices are plain data, directions, orientations and bodies go out as bytes and come
+//! back through `bytemuck::checked`, which refuses what no constructor makes. A slice of bodies is a snapshot: in f32 140 bytes each, in
+//! fixed point 156, in the byte order of the machine. What comes back goes on with the same bits. `micromath::F32` has none.
+//!
+//! ```
+//! # #[cfg(all(feature = "bytemuck", feature = "f32"))]
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! use carom::{Body, Solid, Vec3};
+//!
+//! let mass = Solid::sphere(0.02_f32)?.with_mass(0.03)?;
+//! let bodies = [Body::dynamic(mass).at(Vec3::new(0.0, 0.0, 1.0)), Body::immovable()];
+//! let mut flash = [0; 2 * size_of::<Body<f32>>()];
+//! flash.copy_from_slice(bytemuck::cast_slice(&bodies));
+//!
+//! let kept = bytemuck::checked::try_pod_read_unaligned::<[Body<f32>; 2]>(&flash).map_err(|error| error.to_string())?;
+//! assert_eq!(kept, bodies);
+//! flash[..4].fill(0xff); // a position that is no number
+//! assert!(bytemuck::checked::try_pod_read_unaligned::<[Body<f32>; 2]>(&flash).is_err());
+//! # Ok(())
+//! # }
+//! # #[cfg(not(all(feature = "bytemuck", feature = "f32")))]
+//! # fn main() {}
+//! ```
+//!
 //! # defmt
 //!
 //! Public values and errors. Fixed-point numbers are sent as the bits of an `f64`, put together from integers: exact to 30 bits,
@@ -51,6 +78,9 @@
 #[cfg(feature = "arbitrary")]
 #[cfg_attr(docsrs, doc(cfg(feature = "arbitrary")))]
 mod arbitrary;
+#[cfg(feature = "bytemuck")]
+#[cfg_attr(docsrs, doc(cfg(feature = "bytemuck")))]
+mod bytemuck;
 #[cfg(feature = "defmt")]
 #[cfg_attr(docsrs, doc(cfg(feature = "defmt")))]
 mod defmt;
@@ -63,3 +93,5 @@ mod mint;
 #[cfg(feature = "serde")]
 #[cfg_attr(docsrs, doc(cfg(feature = "serde")))]
 mod serde;
+#[cfg(any(feature = "bytemuck", feature = "serde"))]
+mod sound;

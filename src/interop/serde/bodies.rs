@@ -7,6 +7,7 @@ use ::serde::{Deserialize, Serialize};
 use super::as_data;
 use crate::body::{Body, Rests};
 use crate::error::BodyError;
+use crate::interop::sound::rests_are_finite;
 use crate::mass::MassProperties;
 use crate::math::{Quat, Vec3};
 use crate::scalar::{Scalar, StepArithmetic};
@@ -48,7 +49,6 @@ struct RestsData<P, V> {
 /// Why data make no body.
 enum Refused {
     State(BodyError),
-    Number,
     Rest,
 }
 
@@ -56,7 +56,6 @@ impl Display for Refused {
     fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
         match self {
             Self::State(error) => error.fmt(f),
-            Self::Number => f.write_str("body: gravity scale and damping must be finite"),
             Self::Rest => f.write_str("body: what its position carries beyond the format is not finite"),
         }
     }
@@ -64,7 +63,7 @@ impl Display for Refused {
 
 impl<S: Scalar> From<Body<S>> for BodyData<S> {
     fn from(body: Body<S>) -> Self {
-        let Rests { position, linear, angular } = body.rests;
+        let Rests { position, linear, angular, .. } = body.rests;
         Self {
             position: body.position,
             orientation: body.orientation(),
@@ -91,23 +90,11 @@ impl<S: Scalar> TryFrom<BodyData<S>> for Body<S> {
         body.linear_damping = data.linear_damping;
         body.angular_damping = data.angular_damping;
         body.check().map_err(Refused::State)?;
-        if ![body.gravity_scale, body.linear_damping, body.angular_damping].iter().all(|x| x.is_finite()) {
-            return Err(Refused::Number);
-        }
         let RestsData { position, linear, angular } = data.rests;
-        body.rests = Rests { position, linear, angular };
+        body.rests = Rests { position, linear, angular, ..Rests::NONE };
         body.set_orientation(data.orientation);
         if rests_are_finite(&body) { Ok(body) } else { Err(Refused::Rest) }
     }
-}
-
-/// In floating point what a position carries is a number, too: the position that it leads to without a velocity is finite.
-fn rests_are_finite<S: Scalar>(body: &Body<S>) -> bool {
-    let Ok(h) = S::sub_step(1, 2) else { return false };
-    body.rests.position.iter().all(|rest| {
-        let mut rest = *rest;
-        S::ZERO.advance(S::ZERO, h, &mut rest).0.is_finite()
-    })
 }
 
 as_data!(Body as BodyData<S>: S, S::Unit, S::Scaled, S::Exponent, S::Remainder, Rest<S>);

@@ -12,7 +12,7 @@ use std::time::Instant;
 const ALONE: [&str; 4] = ["--test", "determinism", "--test", "properties"];
 
 /// Features that add other crates' traits, and the one of them that needs `std`.
-const INTEROP: [&str; 4] = ["defmt", "embedded-graphics", "mint", "serde"];
+const INTEROP: [&str; 5] = ["bytemuck", "defmt", "embedded-graphics", "mint", "serde"];
 const INTEROP_ON_HOSTS: &str = "arbitrary";
 
 /// Runs the stage.

@@ -1,0 +1,116 @@
+//! Bodies as bytes come back bit for bit and go on; what no constructor makes is refused, and nothing that is taken in harms.
+#![cfg(all(feature = "bytemuck", any(feature = "f32", feature = "f64", feature = "fixed")))]
+
+#[macro_use]
+#[path = "support/each_number.rs"]
+mod each_number;
+
+use bytemuck::checked::{try_cast_slice, try_pod_read_unaligned};
+use bytemuck::{CheckedBitPattern, NoUninit, Pod, bytes_of, cast_slice};
+use carom::solver::Settings;
+use carom::{Body, BodyHandle, Cuboid, HalfSpace, Material, Quat, Scalar, Solid, UnitVec3, Vec3, World};
+
+each_number!(bodies_go_on, directions_are_checked, damage_is_refused_or_harmless);
+
+carom::shapes! { enum Piece<S> { Cuboid, HalfSpace } }
+
+type Room<S> = World<S, Piece<S>, 4, 12, 32>;
+
+fn ratio<S: Scalar>(numerator: i32, denominator: i32) -> S {
+    S::from_ratio(numerator, denominator).expect("a number within the format")
+}
+
+fn vector<S: Scalar>(x: i32, y: i32, z: i32) -> Vec3<S> {
+    Vec3::new(ratio(x, 1000), ratio(y, 1000), ratio(z, 1000))
+}
+
+fn tilted<S: Scalar>() -> Quat<S> {
+    let part = |n| <S::Unit as Scalar>::from_ratio(n, 1000).expect("a component");
+    Quat::normalize(part(700), part(-300), part(100), part(450)).expect("a rotation")
+}
+
+/// A box that tumbles and slides, and the ground.
+fn scene<S: Scalar>() -> (Room<S>, Settings<S>, BodyHandle) {
+    let mut world = Room::new();
+    let wood = Material::new(ratio(3, 10), ratio(4, 10)).expect("a material");
+    world.insert(Body::immovable(), HalfSpace::new(UnitVec3::Z), wood).expect("room");
+    let half = vector(100, 150, 200);
+    let mass = Solid::cuboid(half).expect("a solid").with_mass(ratio(12, 10)).expect("a mass");
+    let mut body = Body::dynamic(mass).at(vector(0, 0, 600)).moving(vector(900, -350, 0));
+    body.set_orientation(tilted());
+    body.angular_velocity = vector(1500, 2500, -700);
+    let body = world.insert(body, Cuboid::new(half).expect("a shape"), wood).expect("room");
+    (world, Settings::new(vector(0, 0, -9810), [1, 60], 4).expect("settings"), body)
+}
+
+/// Each body of a run comes back with every bit, and the one that came back goes on as the one that was kept.
+fn bodies_go_on<S: Scalar>(name: &str)
+where
+    Body<S>: NoUninit + CheckedBitPattern,
+{
+    let (mut world, settings, handle) = scene::<S>();
+    for _ in 0..90 {
+        world.step(&settings);
+        let bodies: Vec<Body<S>> = world.bodies().map(|(_, body)| *body).collect();
+        let bytes: &[u8] = cast_slice(&bodies);
+        let back: &[Body<S>] = try_cast_slice(bytes).unwrap_or_else(|error| panic!("{name}: {error:?}"));
+        assert_eq!(back, bodies);
+    }
+    let mut copy = world.clone();
+    let kept = *world.body(handle).expect("the box");
+    let back = try_pod_read_unaligned::<Body<S>>(bytes_of(&kept)).expect("a body");
+    *copy.body_mut(handle).expect("the box") = back;
+    world.body_mut(handle).expect("the box");
+    for _ in 0..60 {
+        world.step(&settings);
+        copy.step(&settings);
+        assert_eq!(copy.hash(), world.hash(), "{name}");
+    }
+}
+
+fn directions_are_checked<S: Scalar>(_: &str)
+where
+    S::Unit: Pod,
+{
+    let direction = UnitVec3::<S>::normalize(vector(3, -100, 77)).expect("a direction");
+    assert_eq!(try_pod_read_unaligned::<UnitVec3<S>>(bytes_of(&direction)), Ok(direction));
+    assert_eq!(try_pod_read_unaligned::<Quat<S>>(bytes_of(&tilted::<S>())), Ok(tilted::<S>()));
+    assert!(try_pod_read_unaligned::<UnitVec3<S>>(&vec![0; size_of::<UnitVec3<S>>()]).is_err());
+    assert!(try_pod_read_unaligned::<Quat<S>>(&vec![0; size_of::<Quat<S>>()]).is_err());
+}
+
+/// Every bit of a body turned over, one at a time: what is refused and what is taken in differ by field, and a world steps on with
+/// whatever is taken in.
+fn damage_is_refused_or_harmless<S: Scalar>(name: &str)
+where
+    Body<S>: NoUninit + CheckedBitPattern,
+{
+    let (mut world, settings, handle) = scene::<S>();
+    for _ in 0..20 {
+        world.step(&settings);
+    }
+    let body = *world.body(handle).expect("the box");
+    let mut bytes = bytes_of(&body).to_vec();
+    let (mut refused, mut taken) = (0, 0);
+    for bit in 0..bytes.len() * 8 {
+        bytes[bit / 8] ^= 1 << (bit % 8);
+        match try_pod_read_unaligned::<Body<S>>(&bytes) {
+            Err(_) => refused += 1,
+            Ok(damaged) => {
+                taken += 1;
+                assert!(damaged.check().is_ok(), "{name}: bit {bit}");
+                let mut turned = damaged;
+                turned.set_orientation(damaged.orientation());
+                assert_eq!(turned, damaged, "{name}: bit {bit}: the tensor is another than the orientation's");
+                let mut world = world.clone();
+                *world.body_mut(handle).expect("the box") = damaged;
+                world.step(&settings);
+            }
+        }
+        bytes[bit / 8] ^= 1 << (bit % 8);
+    }
+    // Of the tensor in the world's frame no bit is free.
+    let tensor = 6 * 8 * size_of::<S::Unit>();
+    assert!(refused >= tensor, "{name}: {refused} refused");
+    assert!(taken > 9 * 20, "{name}: {taken} taken in");
+}
