@@ -10,7 +10,7 @@ use bytemuck::{CheckedBitPattern, NoUninit, Pod, bytes_of, cast_slice};
 use carom::solver::Settings;
 use carom::{Body, BodyHandle, Cuboid, HalfSpace, Material, Quat, Scalar, Solid, UnitVec3, Vec3, World};
 
-each_number!(bodies_go_on, directions_are_checked, damage_is_refused_or_harmless);
+each_number!(bodies_go_on, directions_are_checked, damage_is_refused_or_harmless, impossible_bodies_are_refused);
 
 carom::shapes! { enum Piece<S> { Cuboid, HalfSpace } }
 
@@ -113,4 +113,52 @@ where
     let tensor = 6 * 8 * size_of::<S::Unit>();
     assert!(refused >= tensor, "{name}: {refused} refused");
     assert!(taken > 9 * 20, "{name}: {taken} taken in");
+}
+
+/// What no call makes, word by word; a body is its fields one behind the other.
+fn impossible_bodies_are_refused<S: Scalar>(name: &str)
+where
+    Body<S>: NoUninit + CheckedBitPattern,
+{
+    let (_, _, handle) = scene::<S>();
+    let body = *scene::<S>().0.body(handle).expect("the box");
+    let bytes = bytes_of(&body);
+    let (word, unit) = (size_of::<S>(), size_of::<S::Unit>());
+    let inv_mass = 12 * word;
+    let local = inv_mass + size_of::<S::Scaled>() + 6 * unit + size_of::<S::Exponent>();
+    let orientation = local + 6 * unit;
+    let carried = orientation + 7 * unit;
+    let refused = |what: &str, at: usize, change: &[u8]| {
+        let mut damaged = bytes.to_vec();
+        damaged[at..at + change.len()].copy_from_slice(change);
+        let taken = try_pod_read_unaligned::<Body<S>>(&damaged);
+        assert!(taken.is_err(), "{name}: {what} is taken in: {taken:?}");
+    };
+    assert!(try_pod_read_unaligned::<Body<S>>(bytes) == Ok(body));
+    refused("no orientation", orientation, &vec![0; 4 * unit]);
+    let mut ground = bytes_of(&Body::<S>::immovable()).to_vec();
+    assert!(try_pod_read_unaligned::<Body<S>>(&ground) == Ok(Body::immovable()));
+    ground[orientation..orientation + 4 * unit].fill(0);
+    assert!(
+        try_pod_read_unaligned::<Body<S>>(&ground).is_err(),
+        "{name}: the ground without an orientation is taken in"
+    );
+    refused("ratios of moments that are not the tensor's", orientation + 4 * unit, &vec![0x55; 3 * unit]);
+    refused("a moment below zero", local, &[bytes[local..local + unit - 1].to_vec(), vec![0xff]].concat());
+    if S::STEP == S::ZERO {
+        // Of floats the sign is the last bit.
+        let last = inv_mass + word - 1;
+        refused("a mass below zero", last, &[bytes[last] | 0x80]);
+        for (what, at) in [("place", 0), ("mass", inv_mass), ("damping", 11 * word), ("part of a place", carried)] {
+            refused(&format!("a {what} that is no number"), at, &vec![0xff; word]);
+        }
+    } else {
+        let parts = |mantissa: i32, exponent: i32| [mantissa.to_ne_bytes(), exponent.to_ne_bytes()].concat();
+        refused("a mantissa of few bits", inv_mass, &parts(1, 0));
+        refused("a mantissa of many bits", inv_mass, &parts(i32::MAX, 0));
+        refused("a mass below zero", inv_mass, &parts(-(1 << 29), 0));
+        refused("an exponent beyond all use", inv_mass, &parts(1 << 29, i32::MAX));
+        refused("an exponent of the tensor beyond all use", local - 4, &i32::MAX.to_ne_bytes());
+        refused("something where nothing is", bytes.len() - 2, &[1, 0]);
+    }
 }
