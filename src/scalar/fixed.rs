@@ -52,7 +52,7 @@ fn precise_inverse_root(a: u32) -> u32 {
 
 /// The places by which a vector can move left so that its components stay within 29 bits: -2 to 29.
 #[inline(always)]
-const fn headroom(v: [i32; 3]) -> i32 {
+fn headroom(v: [i32; 3]) -> i32 {
     (leading_zeros(magnitude(v)) as i32).wrapping_sub(3)
 }
 

@@ -9,34 +9,16 @@ use super::product::{product, unsigned_product};
 /// How many leading digits of `x` are zero; 32 for zero.
 #[cfg(not(multiply = "short"))]
 #[inline(always)]
-pub(crate) const fn leading_zeros(x: u32) -> u32 {
+pub(super) const fn leading_zeros(x: u32) -> u32 {
     x.leading_zeros()
 }
 
-/// The same where no instruction counts them: by halves, and a table for the last four digits.
 #[cfg(multiply = "short")]
-#[inline(never)]
-pub(crate) const fn leading_zeros(mut x: u32) -> u32 {
-    const OF_FOUR: [u8; 16] = [4, 3, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
-    let mut zeros = 0u32;
-    if x >> 16 == 0 {
-        x <<= 16;
-        zeros = 16;
-    }
-    if x >> 24 == 0 {
-        x <<= 8;
-        zeros = zeros.wrapping_add(8);
-    }
-    if x >> 28 == 0 {
-        x <<= 4;
-        zeros = zeros.wrapping_add(4);
-    }
-    zeros.wrapping_add(OF_FOUR[(x >> 28) as usize] as u32)
-}
+pub(super) use super::machine::leading_zeros;
 
 /// The leading zeros of a number above zero.
 #[inline(always)]
-pub(crate) const fn leading_zeros64(x: u64) -> u32 {
+pub(super) fn leading_zeros64(x: u64) -> u32 {
     let (high, low) = ((x >> 32) as u32, x as u32);
     if high == 0 { leading_zeros(low).wrapping_add(32) } else { leading_zeros(high) }
 }

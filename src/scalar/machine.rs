@@ -1,11 +1,19 @@
 //! What of fixed point is written for one core: by the core's own instructions, or portably.
 
+#[cfg(multiply = "short")]
+mod baseline;
 #[cfg(multiply = "long")]
 mod mainline;
-#[cfg(not(multiply = "long"))]
+#[cfg(not(any(multiply = "long", multiply = "short")))]
 mod portable;
+#[cfg(not(multiply = "long"))]
+mod shifts;
 
+#[cfg(multiply = "short")]
+pub(super) use baseline::*;
 #[cfg(multiply = "long")]
 pub(super) use mainline::*;
-#[cfg(not(multiply = "long"))]
+#[cfg(not(any(multiply = "long", multiply = "short")))]
 pub(super) use portable::*;
+#[cfg(not(multiply = "long"))]
+pub(super) use shifts::*;

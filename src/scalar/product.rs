@@ -68,91 +68,87 @@ mod long {
     }
 }
 
-/// Armv6-M and Armv8-M Baseline: from four products of halves.
+/// Armv6-M and Armv8-M Baseline: from four products of halves, of which the two middle ones most often fit a word together.
 #[cfg(multiply = "short")]
 #[allow(unsafe_code)]
 mod short {
-    use core::arch::asm;
+    use core::arch::naked_asm;
 
     #[inline(always)]
     pub fn multiply(a: i32, b: i32) -> i64 {
         add_product(0, a, b)
     }
 
-    #[inline(never)]
-    pub fn add_product(sum: i64, a: i32, b: i32) -> i64 {
-        let (mut low, mut high) = (sum as u32, (sum >> 32) as i32);
-        // SAFETY: reads and writes the declared registers and the flags, and touches neither memory nor stack.
-        unsafe {
-            asm!(
-                // With a = 2^16 a1 + a0 and b = 2^16 b1 + b0, a0 and b0 not negative:
-                "uxth {s}, {a}",
-                "uxth {t}, {b}",
-                "muls {s}, {t}, {s}", // a0 b0
-                "mov r12, {a}",
-                "asrs {a}, {a}, #16",
-                "muls {t}, {a}, {t}", // a1 b0
-                "asrs {b}, {b}, #16",
-                "muls {a}, {b}, {a}", // a1 b1
-                "adds {low}, {low}, {s}",
-                "adcs {high}, {a}",
-                "mov {s}, r12",
-                "uxth {s}, {s}",
-                "muls {s}, {b}, {s}", // a0 b1
-                "lsls {a}, {t}, #16",
-                "asrs {t}, {t}, #16",
-                "adds {low}, {low}, {a}",
-                "adcs {high}, {t}",
-                "lsls {a}, {s}, #16",
-                "asrs {s}, {s}, #16",
-                "adds {low}, {low}, {a}",
-                "adcs {high}, {s}",
-                low = inout(reg) low,
-                high = inout(reg) high,
-                a = inout(reg) a => _,
-                b = inout(reg) b => _,
-                s = out(reg) _,
-                t = out(reg) _,
-                out("r12") _,
-                options(pure, nomem, nostack),
-            );
-        }
-        (high as i64) << 32 | low as i64
+    #[unsafe(naked)]
+    pub extern "C" fn add_product(sum: i64, a: i32, b: i32) -> i64 {
+        naked_asm!(
+            "push {{r4, r5, lr}}",
+            // With a = 2^16 a1 + a0 and b = 2^16 b1 + b0, a0 and b0 not negative:
+            "uxth r4, r2",
+            "uxth r5, r3",
+            "mov r12, r4",
+            "muls r4, r5, r4", // a0 b0
+            "asrs r2, r2, #16",
+            "muls r5, r2, r5", // a1 b0
+            "asrs r3, r3, #16",
+            "muls r2, r3, r2", // a1 b1
+            "adds r0, r0, r4",
+            "adcs r1, r2",
+            "mov r4, r12",
+            "muls r4, r3, r4", // a0 b1
+            "adds r5, r5, r4",
+            "bvs 2f",
+            "lsls r4, r5, #16",
+            "asrs r5, r5, #16",
+            "adds r0, r0, r4",
+            "adcs r1, r5",
+            "pop {{r4, r5, pc}}",
+            // Of the other sign, and 2^32 from what it should be.
+            "2:",
+            "lsls r4, r5, #16",
+            "asrs r5, r5, #16",
+            "adds r0, r0, r4",
+            "adcs r1, r5",
+            "movs r4, #1",
+            "lsls r4, r4, #16",
+            "cmp r5, #0",
+            "blt 3f",
+            "subs r1, r1, r4",
+            "pop {{r4, r5, pc}}",
+            "3:",
+            "adds r1, r1, r4",
+            "pop {{r4, r5, pc}}",
+        )
     }
 
     /// `a b`
-    #[inline(never)]
-    pub fn unsigned_product(a: u32, b: u32) -> u64 {
-        let (low, high): (u32, u32);
-        // SAFETY: reads and writes the declared registers and the flags, and touches neither memory nor stack.
-        unsafe {
-            asm!(
-                "uxth {u}, {a}", // a0
-                "uxth {t}, {b}", // b0
-                "mov {s}, {u}",
-                "muls {s}, {t}, {s}", // a0 b0
-                "lsrs {a}, {a}, #16",
-                "muls {t}, {a}, {t}", // a1 b0
-                "lsrs {b}, {b}, #16",
-                "muls {u}, {b}, {u}", // a0 b1
-                "muls {a}, {b}, {a}", // a1 b1
-                "lsls {b}, {t}, #16",
-                "lsrs {t}, {t}, #16",
-                "adds {s}, {s}, {b}",
-                "adcs {a}, {t}",
-                "lsls {b}, {u}, #16",
-                "lsrs {u}, {u}, #16",
-                "adds {s}, {s}, {b}",
-                "adcs {a}, {u}",
-                a = inout(reg) a => high,
-                b = inout(reg) b => _,
-                s = out(reg) low,
-                t = out(reg) _,
-                u = out(reg) _,
-                options(pure, nomem, nostack),
-            );
-        }
-        (high as u64) << 32 | low as u64
+    #[unsafe(naked)]
+    pub extern "C" fn unsigned_product(a: u32, b: u32) -> u64 {
+        naked_asm!(
+            "push {{r4, lr}}",
+            "uxth r2, r0", // a0
+            "uxth r3, r1", // b0
+            "lsrs r0, r0, #16",
+            "lsrs r1, r1, #16",
+            "mov r4, r2",
+            "muls r4, r3, r4", // a0 b0
+            "muls r3, r0, r3", // a1 b0
+            "muls r2, r1, r2", // a0 b1
+            "muls r1, r0, r1", // a1 b1
+            "adds r2, r2, r3",
+            "bcs 3f",
+            "2:",
+            "lsls r0, r2, #16",
+            "lsrs r2, r2, #16",
+            "adds r0, r0, r4",
+            "adcs r1, r2",
+            "pop {{r4, pc}}",
+            "3:",
+            "movs r3, #1",
+            "lsls r3, r3, #16",
+            "adds r1, r1, r3",
+            "b 2b",
+        )
     }
 }
 

@@ -151,7 +151,7 @@ const fn quotient_by_zero(x: Scaled32) -> Scaled32 {
 
 /// `x / 2^down` rounded, for |x| <= 2^61 and any `down`; magnitudes beyond 2^61 come back as 2^61 with the sign of `x`.
 #[inline(always)]
-pub(crate) const fn shift_product(x: i64, down: i32) -> i64 {
+pub(crate) fn shift_product(x: i64, down: i32) -> i64 {
     if down > 0 {
         if down > 61 { 0 } else { round_shift(x, down as u32) }
     } else {

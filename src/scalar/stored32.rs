@@ -86,7 +86,7 @@ where
 
 /// `x + change / 2^down`, rounded and clipped, and whether the end of the range was met.
 #[inline(always)]
-const fn sum(x: i32, change: i64, down: i32) -> (i32, bool) {
+fn sum(x: i32, change: i64, down: i32) -> (i32, bool) {
     clip(shift_product(change, down).wrapping_add(x as i64))
 }
 
@@ -98,7 +98,7 @@ const fn is_rare(frac: u32) -> bool {
 /// The same sum outside the caller.
 #[cold]
 #[inline(never)]
-const fn sum_apart(x: i32, change: i64, down: i32) -> (i32, bool) {
+fn sum_apart(x: i32, change: i64, down: i32) -> (i32, bool) {
     sum(x, change, down)
 }
 

@@ -1,4 +1,4 @@
-//! What `mainline.rs` does in instructions of its cores, for all others.
+//! What `mainline.rs` and `baseline.rs` do in instructions of their cores, for all others.
 
 use fixed::FixedI32;
 use fixed::types::I2F30;
@@ -9,8 +9,9 @@ use crate::scalar::lever32::Lever32;
 use crate::scalar::product::{dot, dot2, product};
 use crate::scalar::scaled32::Scaled32;
 use crate::scalar::stored32::{add_change, add_far, moved};
-use crate::scalar::wide::{bits, bits_of, high, magnitude, narrow, units};
-pub(in crate::scalar) use crate::scalar::wide::{shift_left, shift_right};
+use crate::scalar::wide::{bits, bits_of, high, magnitude, narrow, shift_left, units};
+
+use super::shifts::at_most_31;
 
 /// The lever of an arm and an angular velocity of one format.
 #[inline(always)]
@@ -68,24 +69,4 @@ pub fn add_scaled<F>(x: &mut Vec3<FixedI32<F>>, d: &Vec3<I2F30>, k: i32, down: i
     let d_k = [high(product(d0, k)), high(product(d1, k)), high(product(d2, k))];
     let change = [moved(d_k[0], half, places), moved(d_k[1], half, places), moved(d_k[2], half, places)];
     if add_change(x, change) { add_far(x, d, k, down) } else { false }
-}
-
-/// Places to move right by: 31 leave of a word as much as more do. `places` is not negative.
-#[inline(always)]
-pub fn at_most_31(places: i32) -> u32 {
-    (places as u32).min(31)
-}
-
-/// `x / 2^places` rounded, ties up, for |x| <= 2^30 and one place or more.
-#[inline(always)]
-pub fn round_right(x: i32, places: i32) -> i32 {
-    let places = at_most_31(places);
-    x.wrapping_add((1u32.wrapping_shl(places) >> 1) as i32).wrapping_shr(places)
-}
-
-/// A number above zero moved left until it fills 32 bits, and by how many places.
-#[inline(always)]
-pub const fn filled(x: u32) -> (u32, u32) {
-    let zeros = leading_zeros(x | 1);
-    (x.wrapping_shl(zeros), zeros)
 }
