@@ -29,16 +29,29 @@ fn run() -> Exit {
 /// Prints the hash of what comes of all contacts in a number type: every board has to print the host's.
 #[cfg(feature = "fixed")]
 fn sweep<S: carom::Scalar>(name: &str) {
+    use carom::Material;
     use carom::StateHash;
-    use carom::impulse::{Outcome, apply_impulse, collision_impulse, effective_mass, resolve_collision};
+    use carom::impulse::{
+        Outcome, apply_impulse, collision_impulse, effective_mass, resolve_collision, resolve_collision_with_friction,
+    };
 
     let mut words = Words(1);
     let mut hash = StateHash::new();
-    let [mut struck, mut saturated, mut immovable] = [0u32; 3];
+    let mut rubbed = StateHash::new();
+    let [mut struck, mut saturated, mut immovable, mut stuck, mut slid] = [0u32; 5];
     for turn in 0..6_000 {
         let (mut a, mut b) = (words.body::<S>(turn), words.body::<S>(turn / 8));
         let contact = words.contact::<S>(turn);
         let (restitution, j) = (words.number::<S>(), words.number::<S>());
+        if let Ok(material) = Material::new(words.fraction::<S>(), words.fraction::<S>()) {
+            let (mut a, mut b) = (a, b);
+            let impact = resolve_collision_with_friction(&mut a, &mut b, &contact, &material);
+            rubbed.add(impact.normal_impulse);
+            rubbed.add_body(&a);
+            rubbed.add_body(&b);
+            stuck += u32::from(impact.outcome == Outcome::Stuck);
+            slid += u32::from(impact.outcome == Outcome::Slid);
+        }
         hash.add(effective_mass(&a, &b, &contact, contact.normal));
         hash.add(collision_impulse(&a, &b, &contact, restitution));
         let impact = resolve_collision(&mut a, &mut b, &contact, restitution);
@@ -53,6 +66,7 @@ fn sweep<S: carom::Scalar>(name: &str) {
     }
     let hash = hash.get();
     board::println!("{} {:#018x}: {} struck, {} saturated, {} immovable", name, hash, struck, saturated, immovable);
+    board::println!("{} {:#018x} with friction: {} stuck, {} slid", name, rubbed.get(), stuck, slid);
 }
 
 /// Words of every length: xorshift (Marsaglia, 2003), each shifted by a random number of places.
@@ -71,6 +85,11 @@ impl Words {
 
     fn number<S: carom::Scalar>(&mut self) -> S {
         S::STEP.times_integer(self.next())
+    }
+
+    /// From 0 to 1.
+    fn fraction<S: carom::Scalar>(&mut self) -> S {
+        S::from_ratio(self.next() & 255, 255).unwrap_or(S::ONE)
     }
 
     /// In every sixteenth vector nothing but extremes, in others words of a third of the length.

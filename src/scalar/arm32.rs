@@ -7,7 +7,7 @@ use fixed::FixedI32;
 use fixed::types::I2F30;
 
 use super::integer::leading_zeros;
-use super::machine::at_most_31;
+use super::machine::{at_most_31, turn_rows};
 use super::product::{add_dot2, dot, dot2};
 use super::scaled32::Scaled32;
 use super::wide::{bits_of, high, magnitude, max, minus, narrow, shift_left, shift_right};
@@ -25,19 +25,6 @@ pub struct Arm32 {
     turn_exponent: i32,
 }
 
-/// `a b - c d` without its last 29 places.
-#[inline(always)]
-fn minor(a: i32, b: i32, c: i32, minus_d: i32) -> i32 {
-    narrow::<29>(dot2([a, c], [b, minus_d]))
-}
-
-/// A row of I^-1 (r x .), for a row of I^-1 and `m` = -r.
-#[inline(always)]
-fn row([x, y, z]: [I2F30; 3], r: [i32; 3], m: [i32; 3]) -> [i32; 3] {
-    let (x, y, z) = (x.to_bits(), y.to_bits(), z.to_bits());
-    [minor(y, r[2], z, m[1]), minor(z, r[0], x, m[2]), minor(x, r[1], y, m[0])]
-}
-
 impl Arm32 {
     /// For an arm whose components are `r` units of 2^-frac.
     #[inline(never)]
@@ -45,18 +32,16 @@ impl Arm32 {
         let places = leading_zeros(magnitude(r)).wrapping_sub(1);
         // Exact but for arms of 31 bits, which lose the last; and what follows can change their signs.
         let r = [r[0].wrapping_shl(places) >> 1, r[1].wrapping_shl(places) >> 1, r[2].wrapping_shl(places) >> 1];
-        let m = minus(r);
         // No arm, no say in which power of two a sum takes.
         let of_arm = if r[0] | r[1] | r[2] == 0 {
             Scaled32::LOWEST
         } else {
             1i32.wrapping_sub(frac).wrapping_sub(places as i32)
         };
-        let SymMat3 { xx, xy, xz, yy, yz, zz } = *inv_inertia;
         Self {
             r,
             exponent: of_arm,
-            turn: [row([xx, xy, xz], r, m), row([xy, yy, yz], r, m), row([xz, yz, zz], r, m)],
+            turn: turn_rows(&r, inv_inertia),
             turn_exponent: of_arm.wrapping_add(exponent).wrapping_sub(1),
         }
     }

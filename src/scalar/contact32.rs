@@ -7,9 +7,10 @@
 //! beside it.
 
 use super::integer::{leading_zeros, leading_zeros64, long_quotient};
+use super::machine::times30;
 use super::product::{dot, dot2, product};
 use super::slip32::Slip32;
-use super::wide::{dot30, high, inverse, leading32, magnitude, max, min, minus, narrow, plus30, shift_left, times30};
+use super::wide::{dot30, high, inverse, leading32, magnitude, max, min, minus, narrow, plus30, shift_left};
 
 /// An impulse in units of 2^exponent: along the normal, across it, and the whole. Its length is within 2^30.5 where the points
 /// slide, and its components within 2^30 where they stick.

@@ -6,6 +6,8 @@ mod baseline;
 mod mainline;
 #[cfg(not(any(multiply = "long", multiply = "short")))]
 mod portable;
+#[cfg(not(multiply = "short"))]
+mod rows;
 #[cfg(not(multiply = "long"))]
 mod shifts;
 
@@ -15,5 +17,7 @@ pub(super) use baseline::*;
 pub(super) use mainline::*;
 #[cfg(not(any(multiply = "long", multiply = "short")))]
 pub(super) use portable::*;
+#[cfg(not(multiply = "short"))]
+pub(super) use rows::*;
 #[cfg(not(multiply = "long"))]
 pub(super) use shifts::*;

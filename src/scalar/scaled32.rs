@@ -8,7 +8,6 @@ use fixed::types::I2F30;
 use super::Scaled;
 use super::integer::{high_product, leading_zeros, leading_zeros64, long_quotient, quotient, round_shift, round_sqrt};
 use super::machine::filled;
-use super::product::unsigned_product;
 
 /// A number `mantissa * 2^(exponent - 30)` whose mantissa has 30 bits (2^29 <= |mantissa| < 2^30), or zero.
 ///
@@ -208,17 +207,15 @@ impl Mul for Scaled32 {
     #[inline(never)]
     fn mul(self, other: Self) -> Self {
         let sign = (self.mantissa ^ other.mantissa) >> 31;
-        let product = unsigned_product(self.mantissa.unsigned_abs(), other.mantissa.unsigned_abs());
+        // 31 or 32 bits, the bit that rounds among them.
+        let product = high_product(self.mantissa.unsigned_abs() << 2, other.mantissa.unsigned_abs() << 2);
         if product == 0 {
             return Self::ZERO;
         }
-        // 59 or 60 bits; what rounding carries into the 60th belongs there.
-        let rounded = product.wrapping_add(1 << 28);
-        let (mantissa, exponent) = if rounded >> 59 == 0 {
-            ((rounded >> 29) as i32, -1)
-        } else {
-            ((product.wrapping_add(1 << 29) >> 30) as i32, 0)
-        };
+        // What rounding carries into the 32nd belongs there.
+        let rounded = product.wrapping_add(1);
+        let (mantissa, exponent) =
+            if rounded >> 31 == 0 { ((rounded >> 1) as i32, -1) } else { ((rounded.wrapping_add(1) >> 2) as i32, 0) };
         let exponent = self.exponent.wrapping_add(other.exponent).wrapping_add(exponent);
         Self { mantissa: (mantissa ^ sign).wrapping_sub(sign), exponent }.limited()
     }

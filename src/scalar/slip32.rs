@@ -3,8 +3,9 @@
 use super::MAX_SLIP_ITERATIONS;
 use super::contact32::ONE;
 use super::integer::{high_product, inverse_root, leading_zeros, leading_zeros64, reciprocal};
+use super::machine::times30;
 use super::product::{dot, dot2, product};
-use super::wide::{high, leading32, magnitude, narrow, times30};
+use super::wide::{high, leading32, magnitude, narrow};
 
 /// The equation of `impulse/slip.rs`, squared so that no root has to be taken: (t |N|)^2 = B^2, B = load D - t coupling . N
 /// with coupling = -mu K_nt / K_nn.

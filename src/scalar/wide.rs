@@ -4,7 +4,8 @@ use fixed::FixedI32;
 use fixed::types::I2F30;
 
 use super::integer::long_quotient;
-use super::product::{dot, product};
+use super::machine::times30;
+use super::product::dot;
 use crate::math::Vec3;
 
 /// `x / 2^K` cut off, for results within 32 bits. (From halves: the compiler then knows that a product of it is one of
@@ -70,12 +71,6 @@ pub(super) const fn max(a: i32, b: i32) -> i32 {
 #[inline(always)]
 pub(super) const fn min(a: i32, b: i32) -> i32 {
     if b < a { b } else { a }
-}
-
-/// `a b / 2^30` cut off: a product of numbers in Q2.30.
-#[inline(always)]
-pub(super) fn times30(a: i32, b: i32) -> i32 {
-    narrow::<30>(product(a, b))
 }
 
 /// The sum of three such products, cut off once.

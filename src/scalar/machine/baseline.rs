@@ -17,11 +17,11 @@ use crate::scalar::lever32::Lever32;
 use crate::scalar::scaled32::Scaled32;
 use crate::scalar::stored32;
 
-/// A component of c = r x d, halved into two words at `$at` of the stack: `$r0 $d1 - $r1 $d0`, of which all are high registers.
+/// `$r0 $d1 - $r1 $d0` in r0 and r4, of high registers.
 ///
 /// Lower halves are not negative. Of the middle products only two fit a common word: |d| <= 2^30.
-macro_rules! cross {
-    ($r0:literal, $d1:literal, $r1:literal, $d0:literal, $at:literal) => {
+macro_rules! minor {
+    ($r0:literal, $d1:literal, $r1:literal, $d0:literal) => {
         concat!(
             "mov r0, ",
             $r0,
@@ -42,6 +42,15 @@ macro_rules! cross {
             "subs r4, r4, r5\n sbcs r0, r3\n subs r1, r1, r6\n",
             "lsls r3, r2, #16\n asrs r2, r2, #16\n subs r4, r4, r3\n sbcs r0, r2\n",
             "lsls r3, r1, #16\n asrs r1, r1, #16\n adds r4, r4, r3\n adcs r0, r1\n",
+        )
+    };
+}
+
+/// A component of c = r x d, halved into two words at `$at` of the stack.
+macro_rules! cross {
+    ($r0:literal, $d1:literal, $r1:literal, $d0:literal, $at:literal) => {
+        concat!(
+            minor!($r0, $d1, $r1, $d0),
             "uxth r1, r0\n asrs r0, r0, #16\n str r1, [sp, #",
             $at,
             "]\n str r0, [sp, #",
@@ -333,6 +342,124 @@ pub fn add_scaled<F>(x: &mut Vec3<FixedI32<F>>, d: &Vec3<I2F30>, k: i32, down: i
     // SAFETY: the references are to three words each; the function reads those, writes those of `x` or leaves it to `add_far`,
     // and keeps to the calling convention.
     unsafe { add_scaled_words(from_mut(x).cast(), from_ref(d).cast(), k, down) }
+}
+
+/// An element of W without its last 29 places, at `$at` of what the stack's first word points to.
+macro_rules! element {
+    ($r0:literal, $d1:literal, $r1:literal, $d0:literal, $at:literal) => {
+        concat!(
+            minor!($r0, $d1, $r1, $d0),
+            "lsls r0, r0, #3\n lsrs r4, r4, #29\n orrs r0, r4\n ldr r1, [sp]\n str r0, [r1, #",
+            $at,
+            "]\n",
+        )
+    };
+}
+
+/// The rows of W = I^-1 (r x .); `r` points to three words, `inv_inertia` to six and `rows` to nine.
+#[unsafe(naked)]
+unsafe extern "C" fn turn_words(rows: *mut i32, r: *const i32, inv_inertia: *const i32) {
+    naked_asm!(
+        "push {{r4-r7, lr}}",
+        "mov r4, r8",
+        "mov r5, r9",
+        "mov r6, r10",
+        "mov r7, r11",
+        "push {{r4-r7}}",
+        // On the stack: where the next row of W goes, where that of I^-1 is, and the rows of I^-1.
+        "sub sp, #44",
+        "str r0, [sp]",
+        "ldm r1!, {{r4, r5, r6}}",
+        "mov r11, r4",
+        "mov r12, r5",
+        "mov lr, r6",
+        "ldm r2, {{r2, r3, r4, r5, r6, r7}}",
+        "add r1, sp, #8",
+        "str r1, [sp, #4]",
+        "stm r1!, {{r2, r3, r4}}",
+        "stm r1!, {{r3, r5, r6}}",
+        "stm r1!, {{r4, r6, r7}}",
+        "2:",
+        "ldr r7, [sp, #4]",
+        "ldm r7!, {{r0, r1, r2}}",
+        "str r7, [sp, #4]",
+        "mov r8, r0",
+        "mov r9, r1",
+        "mov r10, r2",
+        element!("r9", "lr", "r10", "r12", 0),
+        element!("r10", "r11", "r8", "lr", 4),
+        element!("r8", "r12", "r9", "r11", 8),
+        "adds r1, #12",
+        "str r1, [sp]",
+        "ldr r0, [sp, #4]",
+        "add r1, sp, #44",
+        "cmp r0, r1",
+        "beq 3f",
+        "b 2b",
+        "3:",
+        "add sp, #44",
+        "pop {{r4-r7}}",
+        "mov r8, r4",
+        "mov r9, r5",
+        "mov r10, r6",
+        "mov r11, r7",
+        "pop {{r4-r7, pc}}",
+    )
+}
+
+/// The rows of I^-1 (r x .) without their last 29 places, as those of `portable.rs`, for an arm within 2^30.
+#[inline(always)]
+pub fn turn_rows(r: &[i32; 3], inv_inertia: &SymMat3<I2F30>) -> [[i32; 3]; 3] {
+    let mut rows = [[0; 3]; 3];
+    // SAFETY: the references are to three words, six and nine; the function reads the first two, writes the last, and keeps to the
+    // calling convention.
+    unsafe { turn_words(from_mut(&mut rows).cast(), from_ref(r).cast(), from_ref(inv_inertia).cast()) }
+    rows
+}
+
+/// `a b / 2^30` cut off, for results within 32 bits.
+#[unsafe(naked)]
+pub extern "C" fn times30(a: i32, b: i32) -> i32 {
+    naked_asm!(
+        // With a = 2^16 a1 + a0, a0 not negative, and b = 2^16 b1 + b0, b0 of either sign:
+        "uxth r2, r0",
+        "asrs r0, r0, #16",
+        "sxth r3, r1",
+        "subs r1, r1, r3",
+        "asrs r1, r1, #16",
+        "mov r12, r3",
+        "muls r3, r2, r3", // a0 b0
+        "asrs r3, r3, #16",
+        "muls r2, r1, r2", // a0 b1
+        "adds r2, r2, r3",
+        "bvs 2f",
+        "mov r3, r12",
+        "muls r3, r0, r3", // a1 b0
+        "adds r2, r2, r3",
+        "bvs 3f",
+        "muls r0, r1, r0", // a1 b1
+        "asrs r2, r2, #14",
+        "lsls r0, r0, #2",
+        "adds r0, r0, r2",
+        "bx lr",
+        // A sum beyond 2^31 has the sign of a0 b1, to which the others add less than 2^31.
+        "2:",
+        "mov r3, r12",
+        "muls r3, r0, r3",
+        "adds r2, r2, r3",
+        "3:",
+        "muls r0, r1, r0",
+        "lsrs r2, r2, #14",
+        "lsls r0, r0, #2",
+        "adds r0, r0, r2",
+        "cmp r1, #0",
+        "bge 4f",
+        "movs r2, #1",
+        "lsls r2, r2, #18",
+        "subs r0, r0, r2",
+        "4:",
+        "bx lr",
+    )
 }
 
 /// How many leading digits of `x` are zero; 32 for zero. By halves, and a table for the last four digits.
