@@ -72,20 +72,112 @@ mod long {
 #[cfg(multiply = "short")]
 #[allow(unsafe_code)]
 mod short {
-    use core::arch::naked_asm;
+    use core::arch::{asm, naked_asm};
+
+    // Called from assembly, which tells the compiler that memory is left alone.
 
     #[inline(always)]
     pub fn multiply(a: i32, b: i32) -> i64 {
-        add_product(0, a, b)
+        let (low, high): (u32, i32);
+        // SAFETY: a call with the numbers in the registers where the function takes and leaves them; the others that it changes
+        // are declared.
+        unsafe {
+            asm!(
+                "bl {signed}",
+                signed = sym signed,
+                inout("r0") a => low,
+                inout("r1") b => high,
+                out("r2") _,
+                out("r3") _,
+                out("lr") _,
+                options(pure, nomem),
+            );
+        }
+        (high as i64) << 32 | low as i64
+    }
+
+    #[inline(always)]
+    pub fn add_product(sum: i64, a: i32, b: i32) -> i64 {
+        let (mut low, mut high) = (sum as u32, (sum >> 32) as i32);
+        // SAFETY: as above.
+        unsafe {
+            asm!(
+                "bl {add}",
+                add = sym add,
+                inout("r0") low,
+                inout("r1") high,
+                inout("r2") a => _,
+                inout("r3") b => _,
+                out("r12") _,
+                out("lr") _,
+                options(pure, nomem),
+            );
+        }
+        (high as i64) << 32 | low as i64
+    }
+
+    /// `a b`
+    #[inline(always)]
+    pub fn unsigned_product(a: u32, b: u32) -> u64 {
+        let (low, high): (u32, u32);
+        // SAFETY: as above.
+        unsafe {
+            asm!(
+                "bl {unsigned}",
+                unsigned = sym unsigned,
+                inout("r0") a => low,
+                inout("r1") b => high,
+                out("r2") _,
+                out("r3") _,
+                out("lr") _,
+                options(pure, nomem),
+            );
+        }
+        (high as u64) << 32 | low as u64
     }
 
     #[unsafe(naked)]
-    pub extern "C" fn add_product(sum: i64, a: i32, b: i32) -> i64 {
+    extern "C" fn signed(a: i32, b: i32) -> i64 {
+        naked_asm!(
+            "push {{r4, lr}}",
+            // With a = 2^16 a1 + a0 and b = 2^16 b1 + b0, a0 and b0 not negative:
+            "uxth r2, r0",
+            "uxth r3, r1",
+            "asrs r0, r0, #16",
+            "asrs r1, r1, #16",
+            "mov r4, r2",
+            "muls r4, r3, r4", // a0 b0
+            "muls r3, r0, r3", // a1 b0
+            "muls r2, r1, r2", // a0 b1
+            "muls r1, r0, r1", // a1 b1
+            "adds r2, r2, r3",
+            "bvs 3f",
+            "2:",
+            "lsls r0, r2, #16",
+            "asrs r2, r2, #16",
+            "adds r0, r0, r4",
+            "adcs r1, r2",
+            "pop {{r4, pc}}",
+            // Of the other sign, and 2^32 from what it should be.
+            "3:",
+            "movs r3, #1",
+            "lsls r3, r3, #16",
+            "cmp r2, #0",
+            "blt 4f",
+            "subs r1, r1, r3",
+            "b 2b",
+            "4:",
+            "adds r1, r1, r3",
+            "b 2b",
+        )
+    }
+
+    #[unsafe(naked)]
+    extern "C" fn add(sum: i64, a: i32, b: i32) -> i64 {
         naked_asm!(
             "push {{r4, r5, lr}}",
-            // With a = 2^16 a1 + a0 and b = 2^16 b1 + b0, a0 and b0 not negative:
-            "uxth r4, r2",
-            "uxth r5, r3",
+            "uxth r4, r2", // a0
+            "uxth r5, r3", // b0
             "mov r12, r4",
             "muls r4, r5, r4", // a0 b0
             "asrs r2, r2, #16",
@@ -97,33 +189,29 @@ mod short {
             "mov r4, r12",
             "muls r4, r3, r4", // a0 b1
             "adds r5, r5, r4",
-            "bvs 2f",
-            "lsls r4, r5, #16",
-            "asrs r5, r5, #16",
-            "adds r0, r0, r4",
-            "adcs r1, r5",
-            "pop {{r4, r5, pc}}",
-            // Of the other sign, and 2^32 from what it should be.
+            "bvs 3f",
             "2:",
             "lsls r4, r5, #16",
             "asrs r5, r5, #16",
             "adds r0, r0, r4",
             "adcs r1, r5",
+            "pop {{r4, r5, pc}}",
+            // As in `signed`.
+            "3:",
             "movs r4, #1",
             "lsls r4, r4, #16",
             "cmp r5, #0",
-            "blt 3f",
+            "blt 4f",
             "subs r1, r1, r4",
-            "pop {{r4, r5, pc}}",
-            "3:",
+            "b 2b",
+            "4:",
             "adds r1, r1, r4",
-            "pop {{r4, r5, pc}}",
+            "b 2b",
         )
     }
 
-    /// `a b`
     #[unsafe(naked)]
-    pub extern "C" fn unsigned_product(a: u32, b: u32) -> u64 {
+    extern "C" fn unsigned(a: u32, b: u32) -> u64 {
         naked_asm!(
             "push {{r4, lr}}",
             "uxth r2, r0", // a0

@@ -6,7 +6,7 @@
 //! thirty thousand contacts on all cores.
 #![allow(unsafe_code)]
 
-use core::arch::naked_asm;
+use core::arch::{asm, naked_asm};
 use core::ptr::{from_mut, from_ref};
 
 use fixed::FixedI32;
@@ -179,7 +179,7 @@ unsafe extern "C" fn lever_words(
         "orrs r0, r1",
         "movs r1, #1",
         "orrs r0, r1",
-        "bl {leading_zeros}",
+        "bl {zeros_of}",
         "subs r0, #1",
         "ldr r1, [sp, #40]",
         "str r0, [r1, #20]",
@@ -223,7 +223,7 @@ unsafe extern "C" fn lever_words(
         // r0: how far it moves left; r5: its leading 30 bits.
         "movs r0, #1",
         "orrs r0, r5",
-        "bl {leading_zeros}",
+        "bl {zeros_of}",
         "lsls r5, r0",
         "movs r1, #31",
         "eors r1, r0",
@@ -254,7 +254,7 @@ unsafe extern "C" fn lever_words(
         ".p2align 2",
         "4:",
         ".word {lowest}",
-        leading_zeros = sym leading_zeros,
+        zeros_of = sym zeros_of,
         lowest = const Scaled32::LOWEST,
     )
 }
@@ -271,7 +271,7 @@ pub fn lever<F>(
     let (r, w, d, inv_inertia) =
         (from_ref(r).cast(), from_ref(w).cast(), from_ref(d).cast(), from_ref(inv_inertia).cast());
     // SAFETY: the references are to three words, or six, each; the function reads those, writes every field of the lever, which
-    // is `repr(C)`, and keeps to the calling convention, as does `leading_zeros`, which leaves r4 to r11 alone.
+    // is `repr(C)`, and keeps to the calling convention, as does `zeros_of`, which leaves r4 to r11 alone.
     unsafe { lever_words(r, w, d, inv_inertia, exponent) }
 }
 
@@ -417,9 +417,30 @@ pub fn turn_rows(r: &[i32; 3], inv_inertia: &SymMat3<I2F30>) -> [[i32; 3]; 3] {
     rows
 }
 
-/// `a b / 2^30` cut off, for results within 32 bits.
+/// `a b / 2^30` cut off, for results within 32 bits and b below 2^31 - 2^15.
+#[inline(always)]
+pub fn times30(a: i32, b: i32) -> i32 {
+    let mut product = a;
+    // SAFETY: a call with the numbers in the registers where the function takes and leaves them; the others that it changes are
+    // declared.
+    unsafe {
+        asm!(
+            "bl {times30}",
+            times30 = sym times30_words,
+            inout("r0") product,
+            inout("r1") b => _,
+            out("r2") _,
+            out("r3") _,
+            out("r12") _,
+            out("lr") _,
+            options(pure, nomem),
+        );
+    }
+    product
+}
+
 #[unsafe(naked)]
-pub extern "C" fn times30(a: i32, b: i32) -> i32 {
+extern "C" fn times30_words(a: i32, b: i32) -> i32 {
     naked_asm!(
         // With a = 2^16 a1 + a0, a0 not negative, and b = 2^16 b1 + b0, b0 of either sign:
         "uxth r2, r0",
@@ -462,9 +483,28 @@ pub extern "C" fn times30(a: i32, b: i32) -> i32 {
     )
 }
 
-/// How many leading digits of `x` are zero; 32 for zero. By halves, and a table for the last four digits.
+/// How many leading digits of `x` are zero; 32 for zero.
+#[inline(always)]
+pub fn leading_zeros(x: u32) -> u32 {
+    let mut zeros = x;
+    // SAFETY: as that of `times30`.
+    unsafe {
+        asm!(
+            "bl {zeros_of}",
+            zeros_of = sym zeros_of,
+            inout("r0") zeros,
+            out("r1") _,
+            out("r2") _,
+            out("lr") _,
+            options(pure, nomem),
+        );
+    }
+    zeros
+}
+
+/// By halves, and a table for the last four digits.
 #[unsafe(naked)]
-pub extern "C" fn leading_zeros(x: u32) -> u32 {
+extern "C" fn zeros_of(x: u32) -> u32 {
     naked_asm!(
         "movs r1, #28",
         "lsrs r2, r0, #16",
