@@ -11,9 +11,9 @@ use fixed::FixedI32;
 use fixed::types::I2F30;
 use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30, U31};
 
-mod columns;
+pub(super) mod columns;
 mod push;
-mod round;
+pub(super) mod round;
 mod turn;
 
 pub use self::columns::StepLevers32;
@@ -252,7 +252,7 @@ where
 
     #[inline(always)]
     fn thrust(v: &mut Vec3<FixedI32<Frac>>, d: &Vec3<I2F30>, share: I2F30, impulse: FixedI32<Frac>) {
-        push::thrust(v, bits(d), share.to_bits(), impulse.to_bits());
+        push::thrust(v, d, share.to_bits(), impulse.to_bits());
     }
 
     #[inline(always)]

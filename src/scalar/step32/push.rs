@@ -8,12 +8,14 @@ use super::columns::{ARM, TURN};
 use super::round::{near, round};
 use crate::math::Vec3;
 use crate::scalar::Scalar;
+use crate::scalar::machine::{add_along, add_turn};
 use crate::scalar::product::product;
 use crate::scalar::step::Column;
 use crate::scalar::wide::bits;
 
 /// Impulses whose effects are within 32 bits without a look: less than this.
 const LARGE: i32 = 1 << 26;
+
 /// Adds a change to each component.
 #[inline(always)]
 fn add<F: LeEqU32>(v: &mut Vec3<FixedI32<F>>, change: [i32; 3]) {
@@ -34,15 +36,12 @@ pub fn apply<F: LeEqU32>(
 ) where
     FixedI32<F>: Scalar<Unit = I2F30>,
 {
-    let (d, turn) = (bits(d), bits(&column.turn));
     if impulse.wrapping_add(LARGE) as u32 >= 2 * LARGE as u32 {
-        return apply_large(v, w, [d, turn], column.share.to_bits(), impulse, sign);
+        return apply_large(v, w, [bits(d), bits(&column.turn)], column.share.to_bits(), impulse, sign);
     }
     let share = round::<30>(product(column.share.to_bits(), impulse)).wrapping_mul(sign);
-    let along = |d| round::<ARM>(product(d, share));
-    add(v, [along(d[0]), along(d[1]), along(d[2])]);
-    let turned = |u| round::<TURN>(product(u, impulse));
-    add(w, [turned(turn[0]), turned(turn[1]), turned(turn[2])]);
+    add_along(v, d, share);
+    add_turn(w, &column.turn, impulse);
 }
 
 #[cold]
@@ -63,13 +62,11 @@ fn apply_large<F: LeEqU32>(
 
 /// The same without a turn.
 #[inline(always)]
-pub fn thrust<F: LeEqU32>(v: &mut Vec3<FixedI32<F>>, d: [i32; 3], share: i32, impulse: i32) {
+pub fn thrust<F: LeEqU32>(v: &mut Vec3<FixedI32<F>>, d: &Vec3<I2F30>, share: i32, impulse: i32) {
     if impulse.wrapping_add(LARGE) as u32 >= 2 * LARGE as u32 {
-        return thrust_large(v, d, share, impulse);
+        return thrust_large(v, bits(d), share, impulse);
     }
-    let share = round::<30>(product(share, impulse));
-    let along = |d| round::<ARM>(product(d, share));
-    add(v, [along(d[0]), along(d[1]), along(d[2])]);
+    add_along(v, d, round::<30>(product(share, impulse)));
 }
 
 #[cold]
