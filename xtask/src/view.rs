@@ -24,7 +24,7 @@ pub struct Options {
     /// An example that takes --trace: dice, say
     pub example: String,
     /// Run its firmware on this board in QEMU; without it, it runs on this machine
-    #[arg(long)]
+    #[arg(long, value_parser = Board::cortex_m())]
     pub board: Option<Board>,
     /// The number type
     #[arg(long, default_value_t = Scalar::F32)]
