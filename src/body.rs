@@ -174,7 +174,7 @@ impl<S: Scalar> Body<S> {
     }
 
     /// What it was made from.
-    #[cfg(any(feature = "bytemuck", feature = "serde"))]
+    #[cfg(any(feature = "serde", all(feature = "bytemuck", any(feature = "f32", feature = "f64", feature = "fixed"))))]
     pub(crate) const fn mass_properties(&self) -> MassProperties<S> {
         let Self { inv_mass, inv_inertia_local: inv_inertia, exponent, gyration, .. } = *self;
         MassProperties { inv_mass, inv_inertia, exponent, gyration }

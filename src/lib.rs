@@ -111,8 +111,8 @@
 //! # Beside other crates
 //!
 //! Features add implementations of others' traits: `mint` (vectors, quaternions and matrices, from and to any library of
-//! mathematics), `serde` (public values, validated on the way in), `defmt` (logs), `arbitrary` (fuzzers), `embedded-graphics`
-//! (a world on a display). [`interop`] says what each holds.
+//! mathematics), `serde` (public values, validated on the way in), `bytemuck` (values and bodies as bytes, likewise), `defmt` (logs),
+//! `arbitrary` (fuzzers), `embedded-graphics` (a world on a display). [`interop`] says what each holds.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![deny(missing_docs)]

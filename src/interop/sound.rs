@@ -3,7 +3,7 @@
 use crate::body::Body;
 use crate::error::MassError;
 use crate::mass::MassProperties;
-use crate::math::SymMat3;
+use crate::math::{SymMat3, Vec3};
 use crate::scalar::{Scalar, Scaled};
 
 /// Mass properties as stored.
@@ -40,7 +40,8 @@ fn mantissas<S: Scalar>(mass: &MassProperties<S>) -> ([S::Scaled; 6], S::Scaled)
 
 /// Finite, none of the principal minors below zero by more than rounding makes it. Zero: the rotation is locked.
 fn is_semidefinite<S: Scalar>(mass: &MassProperties<S>) -> bool {
-    let ([xx, xy, xz, yy, yz, zz], _) = mantissas(mass);
+    // A quarter of each, so that the trace does not leave the range of a float before they do.
+    let [xx, xy, xz, yy, yz, zz] = mantissas(mass).0.map(|x| x * S::Scaled::from_parts(1, -2));
     let zero = S::Scaled::ZERO;
     let trace = xx + yy + zz;
     if !([xx, xy, xz, yy, yz, zz].iter().all(|x| x.is_finite()) && xx >= zero && yy >= zero && zz >= zero) {
@@ -65,16 +66,19 @@ fn gyration_fits<S: Scalar>(mass: &MassProperties<S>) -> bool {
         return true;
     }
     let zero = S::Scaled::ZERO;
-    if step == zero || x == zero || y == zero || z == zero {
+    if step == zero || x + y + z == zero {
         return false;
     }
-    // Half a step of each mantissa, relative to it; twice that for what the ratios' own arithmetic rounds.
+    // Of a tensor whose entries off the diagonal were rounded away.
+    if mass.gyration == Vec3::ZERO {
+        return true;
+    }
+    // Half a step of each mantissa, relative to it; twice that for what the ratios' own arithmetic rounds. Of a rod the moments
+    // whose difference counts are many times the one that it is divided by; where a mantissa is rounded to zero, they say nothing.
     let relative = step / x + step / y + step / z;
-    let near = |a: S::Unit, b: S::Unit| {
-        let (a, b) = (a.to_scaled(), b.to_scaled());
-        let (gap, size) = (a - b, a.max(-a) + S::Scaled::from_parts(2, 0));
-        gap.max(-gap) <= size * relative
+    let near = |i: usize, moments: S::Scaled| {
+        let gap = computed.to_array()[i].to_scaled() - mass.gyration.to_array()[i].to_scaled();
+        gap.max(-gap) <= (moments + S::Scaled::ONE) * relative
     };
-    let (a, b) = (computed.to_array(), mass.gyration.to_array());
-    near(a[0], b[0]) && near(a[1], b[1]) && near(a[2], b[2])
+    near(0, x / y + x / z) && near(1, y / z + y / x) && near(2, z / x + z / y)
 }

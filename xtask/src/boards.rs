@@ -1,6 +1,7 @@
 //! The boards that QEMU emulates for us, the number types, and what each needs to be built.
 
 use clap::ValueEnum;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -43,6 +44,12 @@ pub enum Board {
 impl Board {
     /// Every Cortex-M board.
     pub const ALL: &'static [Board] = &[Board::M0, Board::M3, Board::M4f, Board::M7, Board::M33];
+
+    /// What reads a Cortex-M board, where another one is no choice.
+    pub fn cortex_m() -> impl TypedValueParser<Value = Board> {
+        let names = Board::ALL.iter().filter_map(Board::to_possible_value);
+        PossibleValuesParser::new(names).try_map(|name| Board::from_str(&name, false))
+    }
 
     /// Its processor, for people.
     pub fn name(self) -> &'static str {

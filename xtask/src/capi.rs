@@ -65,7 +65,7 @@ pub fn run(action: Action) -> Result<()> {
         Action::Install { prefix, target, yes } => {
             let toolchains =
                 target.iter().map(|target| setup::ensure_target(target, yes)).collect::<Result<Vec<_>>>()?;
-            println!("installing (each archive is compiled first, a minute or two):");
+            println!("installing (each archive is compiled first, some minutes):");
             package::install(&prefix, toolchains.last().map(|toolchain| (toolchain, &target[..])))
         }
     }

@@ -20,7 +20,7 @@ pub const SHOWN: Scalar = Scalar::I12F20;
 #[derive(clap::Args)]
 pub struct Options {
     /// Draw on this board in QEMU; without it, on this machine
-    #[arg(long)]
+    #[arg(long, value_parser = Board::cortex_m())]
     board: Option<Board>,
     /// The number type
     #[arg(long, default_value_t = SHOWN)]

@@ -47,7 +47,7 @@ impl Build {
             workspace::check_example(example)?;
             cargo.args(["--example", example]);
         }
-        process::run(&mut cargo)?;
+        process::run_watched(&mut cargo, &format!("compiling {} in {feature} for {target}", examples.join(", ")))?;
         let folder = toolchain.target_dir().join(target).join(profile.to_string()).join("examples");
         Ok(examples.iter().map(|example| folder.join(example)).collect())
     }

@@ -1,7 +1,7 @@
 //! `cargo xtask guide`: the book of `docs/`, and whether what its pages say of firmware is what is there.
 
 use crate::boards::Board;
-use crate::new;
+use crate::new::{self, Scene};
 use crate::process;
 use crate::toolchain::own_cargo;
 use crate::workspace;
@@ -11,6 +11,8 @@ use std::time::Duration;
 
 /// The page that begins firmware, and the example that it goes through.
 const PAGE: &str = "docs/guide/maze.md";
+/// What firmware without the maze says of a ball of 2 cm, less what its contact sinks, that came to rest on its floor.
+const RESTING: &str = "the ball is 0.01998";
 /// A cold build of a small package takes most of it.
 const LIMIT: Duration = Duration::from_secs(600);
 
@@ -26,9 +28,26 @@ pub fn test(yes: bool) -> Result<()> {
     build()?;
     let page = read(PAGE)?;
     check_fragments(&page)?;
+    let (good, text) = begun(Board::M0, Scene::Maze, yes)?;
+    let mut shown = block(&page, "text");
+    let (Some(first), Some(last)) = (shown.next(), shown.next()) else { bail!("{PAGE} shows no output") };
+    if !good || !text.starts_with(first) || !text.ends_with(last) {
+        bail!("the firmware of `cargo xtask new` does not print what {PAGE} says:\n{text}");
+    }
+    println!("  {}", text.lines().last().unwrap_or_default());
+    let (good, text) = begun(Board::M4f, Scene::Ball, yes)?;
+    if !good || !text.starts_with(RESTING) {
+        bail!("the firmware of `cargo xtask new --empty` does not end with `{RESTING}`:\n{text}");
+    }
+    println!("  {}", text.trim_end());
+    Ok(())
+}
+
+/// Begins firmware for a board and runs it: whether it ended well, and what it printed.
+fn begun(board: Board, scene: Scene, yes: bool) -> Result<(bool, String)> {
     let folder = tempfile::tempdir()?;
-    let firmware = folder.path().join("my-marble");
-    new::run(&firmware, Board::M0, yes)?;
+    let firmware = folder.path().join("my-firmware");
+    new::run(&firmware, board, scene, yes)?;
     // As somebody would run it, who has set nothing.
     let mut cargo = Command::new("cargo");
     cargo.args(["run", "--quiet", "--release"]).current_dir(&firmware).stdout(std::process::Stdio::piped());
@@ -36,15 +55,7 @@ pub fn test(yes: bool) -> Result<()> {
         cargo.env_remove(name);
     }
     let end = process::run_for(&mut cargo, LIMIT)?;
-    let text = String::from_utf8_lossy(&end.stdout);
-    let mut shown = block(&page, "text");
-    let (Some(first), Some(last)) = (shown.next(), shown.next()) else { bail!("{PAGE} shows no output") };
-    let good = end.status.is_some_and(|status| status.success());
-    if !good || !text.starts_with(first) || !text.ends_with(last) {
-        bail!("the firmware of `cargo xtask new` does not print what {PAGE} says ({:?}):\n{text}", end.status);
-    }
-    println!("  {}", text.lines().last().unwrap_or_default());
-    Ok(())
+    Ok((end.status.is_some_and(|status| status.success()), String::from_utf8_lossy(&end.stdout).into_owned()))
 }
 
 /// What the page shows of the firmware stands in it.

@@ -33,7 +33,7 @@ pub fn build(feature: &str, optimised: Optimised, examples: &[String]) -> Result
         workspace::check_example(example)?;
         cargo.args(["--example", example]);
     }
-    process::run(&mut cargo)?;
+    process::run_watched(&mut cargo, &format!("compiling {} in {feature} for this machine", examples.join(", ")))?;
 
     // Cargo keeps one program of a name; copies stay while it is built again with another feature.
     let folder = workspace::target_dir().join("host-programs").join(feature).join(profile);

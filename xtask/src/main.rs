@@ -25,6 +25,7 @@ use anyhow::Result;
 use boards::{Board, Scalar};
 use clap::{Parser, Subcommand};
 use firmware::{Build, Profile};
+use new::Scene;
 use std::path::PathBuf;
 use std::process::{ExitCode, ExitStatus};
 use std::time::Duration;
@@ -68,8 +69,11 @@ enum Action {
         /// A folder that is empty or not there yet
         folder: PathBuf,
         /// The board
-        #[arg(long, default_value_t = Board::M0)]
+        #[arg(long, default_value_t = Board::M0, value_parser = Board::cortex_m())]
         board: Board,
+        /// No maze: a floor and a ball
+        #[arg(long)]
+        empty: bool,
         #[command(flatten)]
         yes: Yes,
     },
@@ -162,7 +166,9 @@ fn run(action: Action) -> Result<ExitCode> {
         }
         Action::Demo(Yes { yes }) => demo::run(yes)?,
         Action::Test { only, tidy, yes: Yes { yes } } => test::run(only, yes, tidy)?,
-        Action::New { folder, board, yes: Yes { yes } } => new::run(&folder, board, yes)?,
+        Action::New { folder, board, empty, yes: Yes { yes } } => {
+            new::run(&folder, board, if empty { Scene::Ball } else { Scene::Maze }, yes)?;
+        }
         Action::Qemu { example, board, scalar, timeout, yes: Yes { yes }, args } => {
             workspace::check_example(&example)?;
             let toolchain = setup::ensure_for(board, yes)?;

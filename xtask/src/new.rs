@@ -13,16 +13,20 @@ use std::path::{Path, PathBuf};
 const NAME: &str = "my-firmware";
 const PATH: &str = "\"../..\"";
 
+/// What the firmware begins with.
+#[derive(Clone, Copy)]
+pub enum Scene {
+    Maze,
+    Ball,
+}
+
 /// The template's folder.
 pub fn template() -> PathBuf {
     workspace::root().join("examples/template")
 }
 
 /// Writes the package.
-pub fn run(folder: &Path, board: Board, yes: bool) -> Result<()> {
-    if !Board::ALL.contains(&board) {
-        bail!("the firmware is for a Cortex-M; {board} is none");
-    }
+pub fn run(folder: &Path, board: Board, scene: Scene, yes: bool) -> Result<()> {
     let folder = resolved(folder)?;
     if folder.starts_with(workspace::root().canonicalize()?) {
         bail!("{} lies in carom's own folder, whose settings would reach it: name one outside", folder.display());
@@ -31,13 +35,16 @@ pub fn run(folder: &Path, board: Board, yes: bool) -> Result<()> {
         bail!("{} is there and not empty: name another folder", folder.display());
     }
     let toolchain = setup::ensure_for(board, yes)?;
-    for file in ["memory.x", "src/main.rs"] {
-        put(&folder.join(file), &read(file)?)?;
-    }
+    let (main, what) = match scene {
+        Scene::Maze => ("src/main.rs", "a marble maze"),
+        Scene::Ball => ("src/bin/empty.rs", "a ball on a floor"),
+    };
+    put(&folder.join("memory.x"), &read("memory.x")?)?;
+    put(&folder.join("src/main.rs"), &read(main)?)?;
     put(&folder.join("Cargo.toml"), &manifest(&folder)?)?;
     put(&folder.join(".cargo/config.toml"), &config(&toolchain, board))?;
     put(&folder.join(".gitignore"), "/target\n")?;
-    println!("a marble maze for {board}: `cd {} && cargo run --release`", folder.display());
+    println!("{what} for {board}: `cd {} && cargo run --release`", folder.display());
     Ok(())
 }
 

@@ -1,8 +1,9 @@
 //! Running other programs: finding them, waiting for them, naming them in messages.
 
 use anyhow::{Context, Result, bail};
+use indicatif::{ProgressBar, ProgressStyle};
 use std::ffi::OsStr;
-use std::io::Read;
+use std::io::{IsTerminal, Read};
 use std::path::PathBuf;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::thread::JoinHandle;
@@ -43,6 +44,18 @@ pub fn run(command: &mut Command) -> Result<()> {
         bail!("`{}` failed ({status})", show(command));
     }
     Ok(())
+}
+
+/// The same of a quiet command that takes its time: a terminal shows what is done, and for how long.
+pub fn run_watched(command: &mut Command, what: &str) -> Result<()> {
+    let spinner = if std::io::stderr().is_terminal() { ProgressBar::new_spinner() } else { ProgressBar::hidden() };
+    let style = ProgressStyle::with_template("{spinner} {wide_msg} ({elapsed})");
+    spinner.set_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
+    spinner.set_message(what.to_owned());
+    spinner.enable_steady_tick(Duration::from_millis(120));
+    let result = run(command);
+    spinner.finish_and_clear();
+    result
 }
 
 /// Runs a command and returns what it prints, if it ends well.

@@ -5,6 +5,7 @@ mod display;
 mod hardware;
 mod host;
 mod interop;
+mod readme;
 mod riscv;
 mod view;
 
@@ -34,7 +35,8 @@ pub enum Stage {
     Display,
     /// traces of boards and of this machine, and the page made of one in a headless Chromium
     View,
-    /// the book of docs/, the links of all pages, and the firmware that `cargo xtask new` begins
+    /// the README's programs in both number types, the book of docs/, the links of all pages, and the firmware that `cargo xtask new`
+    /// begins
     Guide,
     /// every example on every board, its text compared with this machine's
     Boards,
@@ -65,7 +67,7 @@ pub fn run(only: Option<Stage>, yes: bool, tidy: bool) -> Result<()> {
             Stage::Hardware => hardware::run(yes),
             Stage::Display => display::run(yes),
             Stage::View => view::run(yes),
-            Stage::Guide => guide::test(yes),
+            Stage::Guide => readme::run().and_then(|()| guide::test(yes)),
         }
         .with_context(|| format!("stage {name} failed (it alone: `cargo xtask test --only {name}`)"))?;
         println!("== {name}: passed in {} s ==", begun.elapsed().as_secs());

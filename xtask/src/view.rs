@@ -24,7 +24,7 @@ pub struct Options {
     /// An example that takes --trace: dice, say
     pub example: String,
     /// Run its firmware on this board in QEMU; without it, it runs on this machine
-    #[arg(long)]
+    #[arg(long, value_parser = Board::cortex_m())]
     pub board: Option<Board>,
     /// The number type
     #[arg(long, default_value_t = Scalar::F32)]
@@ -147,14 +147,14 @@ pub fn record(
             let toolchain = progress.pause(|| setup::ensure(options.yes))?;
             progress.stage(&format!("building {example} in {scalar} for {board}"));
             let build = Build { target: board.target(), feature: scalar.feature(), profile: Profile::Release };
-            let elf = build.run(&toolchain, examples)?.remove(0);
+            let elf = progress.pause(|| build.run(&toolchain, examples))?.remove(0);
             progress.stage(&format!("running it on {board}, in QEMU"));
             let run = qemu::Run { example, elf: &elf, board, scalar, arguments: &arguments, limit, icount: None };
             run.capture()?
         }
         None => {
             progress.stage(&format!("building {example} in {scalar} for this machine"));
-            let program = host::build(scalar.feature(), Optimised::Release, examples)?.remove(0);
+            let program = progress.pause(|| host::build(scalar.feature(), Optimised::Release, examples))?.remove(0);
             progress.stage("running it");
             host::capture(&program, scalar, &arguments, limit)?
         }
@@ -241,7 +241,7 @@ impl Progress {
         self.0.set_message(what);
     }
 
-    /// Leaves the terminal to what may ask something.
+    /// Leaves the terminal to what may ask something, or says itself what it does.
     fn pause<T>(&self, work: impl FnOnce() -> T) -> T {
         self.0.suspend(work)
     }

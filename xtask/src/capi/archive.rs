@@ -13,14 +13,15 @@ const ARCHIVE: [&str; 8] =
 /// Builds it for a target and returns where it is.
 pub fn build(toolchain: &Toolchain, target: &str) -> Result<PathBuf> {
     let mut cargo = toolchain.cargo("rustc", target);
-    process::run(cargo.args(ARCHIVE))?;
+    process::run_watched(cargo.args(ARCHIVE), &format!("compiling libcarom.a for {target}"))?;
     keep(toolchain.target_dir().join(target).join("capi/libcarom_c.a"), target)
 }
 
 /// Builds it for this machine.
 pub fn build_for_host() -> Result<PathBuf> {
     let mut cargo = own_cargo();
-    process::run(cargo.arg("rustc").args(ARCHIVE).arg("--target-dir").arg(workspace::target_dir()))?;
+    cargo.arg("rustc").args(ARCHIVE).arg("--target-dir").arg(workspace::target_dir());
+    process::run_watched(&mut cargo, "compiling libcarom.a for this machine")?;
     keep(workspace::target_dir().join("capi/libcarom_c.a"), "host")
 }
 
