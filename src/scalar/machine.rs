@@ -10,6 +10,8 @@ mod portable;
 mod rows;
 #[cfg(not(multiply = "long"))]
 mod shifts;
+#[cfg(any(multiply = "long", multiply = "short"))]
+mod words;
 
 #[cfg(multiply = "short")]
 pub(super) use baseline::*;
@@ -21,3 +23,5 @@ pub(super) use portable::*;
 pub(super) use rows::*;
 #[cfg(not(multiply = "long"))]
 pub(super) use shifts::*;
+#[cfg(any(multiply = "long", multiply = "short"))]
+pub(super) use words::*;

@@ -6,19 +6,14 @@
 #![allow(unsafe_code)]
 
 use core::arch::{asm, naked_asm};
-use core::ptr::{from_mut, from_ref};
 
-use fixed::FixedI32;
-use fixed::types::{I2F30, I32F0};
-
-use crate::math::{SymMat3, Vec3};
+use super::words::add_far;
 use crate::scalar::lever32::Lever32;
 use crate::scalar::scaled32::Scaled32;
-use crate::scalar::stored32;
 
 /// A lever; `r`, `w` and `d` point to three words each, `inv_inertia` to six.
 #[unsafe(naked)]
-unsafe extern "C" fn lever_words(
+pub(super) unsafe extern "C" fn lever_words(
     r: *const i32,
     w: *const i32,
     d: *const i32,
@@ -108,25 +103,9 @@ unsafe extern "C" fn lever_words(
     )
 }
 
-/// A lever, as that of `portable.rs`.
-#[inline(always)]
-pub fn lever<F>(
-    r: &Vec3<FixedI32<F>>,
-    w: &Vec3<FixedI32<F>>,
-    d: &Vec3<I2F30>,
-    inv_inertia: &SymMat3<I2F30>,
-    exponent: i32,
-) -> Lever32 {
-    let (r, w, d, inv_inertia) =
-        (from_ref(r).cast(), from_ref(w).cast(), from_ref(d).cast(), from_ref(inv_inertia).cast());
-    // SAFETY: the references are to three words, or six, each; the function reads those, writes every field of the lever, which
-    // is `repr(C)`, and keeps to the calling convention.
-    unsafe { lever_words(r, w, d, inv_inertia, exponent) }
-}
-
 /// `add_scaled` for vectors of three words.
 #[unsafe(naked)]
-unsafe extern "C" fn add_scaled_words(x: *mut i32, d: *const i32, k: i32, down: i32) -> bool {
+pub(super) unsafe extern "C" fn add_scaled_words(x: *mut i32, d: *const i32, k: i32, down: i32) -> bool {
     naked_asm!(
         "cmp r3, #1",
         "blt {far}",
@@ -156,21 +135,6 @@ unsafe extern "C" fn add_scaled_words(x: *mut i32, d: *const i32, k: i32, down: 
         "b {far}",
         far = sym add_far,
     )
-}
-
-/// For the few changes that `add_scaled` leaves alone. The format makes no difference.
-#[cold]
-extern "C" fn add_far(x: &mut Vec3<I32F0>, d: &Vec3<I2F30>, k: i32, down: i32) -> bool {
-    stored32::add_far(x, d, k, down)
-}
-
-/// Adds `d k / 2^(32 + down)` to `x`, rounded once a component; whether a component met the end of the range. The upper half of
-/// `d k` has 29 bits at most.
-#[inline(always)]
-pub fn add_scaled<F>(x: &mut Vec3<FixedI32<F>>, d: &Vec3<I2F30>, k: i32, down: i32) -> bool {
-    // SAFETY: the references are to three words each; the function reads those, writes those of `x` or leaves it to `add_far`,
-    // and keeps to the calling convention.
-    unsafe { add_scaled_words(from_mut(x).cast(), from_ref(d).cast(), k, down) }
 }
 
 /// Places to move right by: 31 leave of a word as much as more do. `places` is not negative.

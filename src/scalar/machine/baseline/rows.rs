@@ -1,0 +1,81 @@
+//! What an arm does in any direction.
+
+use core::arch::naked_asm;
+use core::ptr::{from_mut, from_ref};
+
+use fixed::types::I2F30;
+
+use crate::math::SymMat3;
+
+/// An element of W without its last 29 places, at `$at` of what the stack's first word points to.
+macro_rules! element {
+    ($r0:literal, $d1:literal, $r1:literal, $d0:literal, $at:literal) => {
+        concat!(
+            minor!($r0, $d1, $r1, $d0),
+            "lsls r0, r0, #3\n lsrs r4, r4, #29\n orrs r0, r4\n ldr r1, [sp]\n str r0, [r1, #",
+            $at,
+            "]\n",
+        )
+    };
+}
+
+/// The rows of W = I^-1 (r x .); `r` points to three words, `inv_inertia` to six and `rows` to nine.
+#[unsafe(naked)]
+unsafe extern "C" fn turn_words(rows: *mut i32, r: *const i32, inv_inertia: *const i32) {
+    naked_asm!(
+        "push {{r4-r7, lr}}",
+        "mov r4, r8",
+        "mov r5, r9",
+        "mov r6, r10",
+        "mov r7, r11",
+        "push {{r4-r7}}",
+        // On the stack: where the next row of W goes, where that of I^-1 is, and the rows of I^-1.
+        "sub sp, #44",
+        "str r0, [sp]",
+        "ldm r1!, {{r4, r5, r6}}",
+        "mov r11, r4",
+        "mov r12, r5",
+        "mov lr, r6",
+        "ldm r2, {{r2, r3, r4, r5, r6, r7}}",
+        "add r1, sp, #8",
+        "str r1, [sp, #4]",
+        "stm r1!, {{r2, r3, r4}}",
+        "stm r1!, {{r3, r5, r6}}",
+        "stm r1!, {{r4, r6, r7}}",
+        "2:",
+        "ldr r7, [sp, #4]",
+        "ldm r7!, {{r0, r1, r2}}",
+        "str r7, [sp, #4]",
+        "mov r8, r0",
+        "mov r9, r1",
+        "mov r10, r2",
+        element!("r9", "lr", "r10", "r12", 0),
+        element!("r10", "r11", "r8", "lr", 4),
+        element!("r8", "r12", "r9", "r11", 8),
+        "adds r1, #12",
+        "str r1, [sp]",
+        "ldr r0, [sp, #4]",
+        "add r1, sp, #44",
+        "cmp r0, r1",
+        "beq 3f",
+        "b 2b",
+        "3:",
+        "add sp, #44",
+        "pop {{r4-r7}}",
+        "mov r8, r4",
+        "mov r9, r5",
+        "mov r10, r6",
+        "mov r11, r7",
+        "pop {{r4-r7, pc}}",
+    )
+}
+
+/// The rows of I^-1 (r x .) without their last 29 places, as those of `portable.rs`, for an arm within 2^30.
+#[inline(always)]
+pub fn turn_rows(r: &[i32; 3], inv_inertia: &SymMat3<I2F30>) -> [[i32; 3]; 3] {
+    let mut rows = [[0; 3]; 3];
+    // SAFETY: the references are to three words, six and nine; the function reads the first two, writes the last, and keeps to the
+    // calling convention.
+    unsafe { turn_words(from_mut(&mut rows).cast(), from_ref(r).cast(), from_ref(inv_inertia).cast()) }
+    rows
+}
