@@ -116,7 +116,7 @@ pub(crate) fn wide_quotient(n: u32, d: u32, shift: u32) -> Option<u32> {
     let wide = (n as u64).wrapping_shl(shift);
     let (n_zeros, d_zeros) = (leading_zeros(n), leading_zeros(d));
     // floor(log2) of the quotient, or one more.
-    let magnitude = shift as i32 + d_zeros as i32 - n_zeros as i32;
+    let magnitude = (shift as i32).wrapping_add(d_zeros as i32).wrapping_sub(n_zeros as i32);
     if magnitude > 31 {
         return None;
     }
@@ -124,7 +124,7 @@ pub(crate) fn wide_quotient(n: u32, d: u32, shift: u32) -> Option<u32> {
     let n30 = leading30(n, n_zeros);
     let d30 = leading30(d, d_zeros);
     let q30 = quotient(n30, d30, 30) as u64;
-    let down = 30 - magnitude;
+    let down = 30i32.wrapping_sub(magnitude);
     let mut q = if down >= 0 {
         if down > 62 { 0 } else { q30.wrapping_shr(down as u32) }
     } else {
