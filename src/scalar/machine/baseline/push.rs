@@ -117,7 +117,7 @@ macro_rules! add_along {
 add_along!(along_words, 4, 12);
 add_along!(turn_along_words, 6, 10);
 
-/// Adds `k` times a direction to `v`, for |k| <= 2^26, as that of `rows.rs`.
+/// Adds `k` times a direction to `v`, for |k| <= 2^26, as that of `machine/rows.rs`.
 #[inline(always)]
 pub fn add_along<F>(v: &mut Vec3<FixedI32<F>>, d: &Vec3<I2F30>, k: i32) {
     // SAFETY: the references are to three words each; the function reads them, writes those of `v`, and keeps to the calling
@@ -125,7 +125,7 @@ pub fn add_along<F>(v: &mut Vec3<FixedI32<F>>, d: &Vec3<I2F30>, k: i32) {
     unsafe { along_words(from_mut(v).cast(), from_ref(d).cast(), k) }
 }
 
-/// Adds `k` times a turn to `w`, for |k| <= 2^26, as that of `rows.rs`.
+/// Adds `k` times a turn to `w`, for |k| <= 2^26, as that of `machine/rows.rs`.
 #[inline(always)]
 pub fn add_turn<F>(w: &mut Vec3<FixedI32<F>>, turn: &Vec3<I2F30>, k: i32) {
     // SAFETY: as above.

@@ -70,7 +70,7 @@ unsafe extern "C" fn turn_words(rows: *mut i32, r: *const i32, inv_inertia: *con
     )
 }
 
-/// The rows of I^-1 (r x .) without their last 29 places, as those of `portable.rs`, for an arm within 2^30.
+/// The rows of I^-1 (r x .) without their last 29 places, as those of `machine/rows.rs`, for an arm within 2^30.
 #[inline(always)]
 pub fn turn_rows(r: &[i32; 3], inv_inertia: &SymMat3<I2F30>) -> [[i32; 3]; 3] {
     let mut rows = [[0; 3]; 3];
