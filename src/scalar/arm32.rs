@@ -8,7 +8,7 @@ use fixed::types::I2F30;
 
 use super::integer::leading_zeros;
 use super::machine::{at_most_31, turn_rows};
-use super::product::{add_dot2, dot, dot2};
+use super::product::{add_dot2, dot, raised_difference};
 use super::scaled32::Scaled32;
 use super::wide::{bits_of, high, magnitude, max, minus, narrow, shift_left, shift_right};
 use super::{Scalar, Scaled};
@@ -150,11 +150,10 @@ pub(super) fn velocity<F>(
         return None;
     }
     let (m, n) = (minus(wa), minus(rb));
-    let one = 1i32.wrapping_shl(frac as u32);
-    let ones = [one, one.wrapping_neg()];
-    let x = sum(dot2([vb[0], va[0]], ones), [wb[1], wb[2]], [rb[2], n[1]], [m[1], wa[2]], [ra[2], ra[1]]);
-    let y = sum(dot2([vb[1], va[1]], ones), [wb[2], wb[0]], [rb[0], n[2]], [m[2], wa[0]], [ra[0], ra[2]]);
-    let z = sum(dot2([vb[2], va[2]], ones), [wb[0], wb[1]], [rb[1], n[0]], [m[0], wa[1]], [ra[1], ra[0]]);
+    let moved = |i: usize| raised_difference(vb[i], va[i], frac as u32);
+    let x = sum(moved(0), [wb[1], wb[2]], [rb[2], n[1]], [m[1], wa[2]], [ra[2], ra[1]]);
+    let y = sum(moved(1), [wb[2], wb[0]], [rb[0], n[2]], [m[2], wa[0]], [ra[0], ra[2]]);
+    let z = sum(moved(2), [wb[0], wb[1]], [rb[1], n[0]], [m[0], wa[1]], [ra[1], ra[0]]);
     Some(leading(x, y, z, frac.wrapping_mul(-2)))
 }
 

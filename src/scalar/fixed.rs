@@ -9,12 +9,12 @@ use super::arm32::{self, Arm32};
 use super::contact32::{Contact32, Impulse32};
 use super::integer::{inverse_root, leading_zeros, long_quotient, round_shift, round_sqrt, wide_quotient};
 use super::lever32::{self, Lever32};
-use super::machine::lever;
+use super::machine::{self, lever};
 use super::product::{dot, product, unsigned_product};
 use super::scaled32::Scaled32;
 use super::step32::FixedStep;
 use super::stored32::{self, add_block, add_scaled, clip};
-use super::wide::{bits_of, magnitude, narrow, units};
+use super::wide::{bits_of, magnitude, units};
 use crate::error::RangeError;
 use crate::math::{Block, BlockImpulse, SymBlock, SymMat3, Vec3};
 
@@ -332,8 +332,7 @@ where
         inv_masses: [Scaled32; 2],
         levers: [&Lever32; 2],
     ) -> Result<Scaled32, (Scaled32, Scaled32)> {
-        let factor = rebound_factor(restitution);
-        lever32::approach_impulse(factor, [bits_of(v[0]), bits_of(v[1])], d, inv_masses, levers, Frac::I32)
+        machine::approach_impulse(rebound_factor(restitution), v, d, inv_masses, levers)
     }
 
     #[inline(always)]
@@ -346,8 +345,7 @@ where
         Scaled32::quotient_of_product(-speed, rebound_factor(restitution), k)
     }
 
-    #[cfg_attr(multiply = "long", inline(always))]
-    #[cfg_attr(not(multiply = "long"), inline(never))]
+    #[inline(always)]
     fn push(
         v: &mut Vec3<Self>,
         w: &mut Vec3<Self>,
@@ -355,13 +353,7 @@ where
         lever: &Lever32,
         j: Scaled32,
     ) -> bool {
-        let (d, inv_mass) = linear;
-        let q = j.mantissa();
-        let k = narrow::<29>(product(inv_mass.mantissa(), q));
-        let exponent = inv_mass.exponent().wrapping_add(j.exponent()).wrapping_sub(1);
-        let fast = add_scaled(v, d, k, exponent);
-        let (u, exponent) = lever.turn(Frac::I32);
-        fast | add_scaled(w, u, q, j.exponent().wrapping_add(exponent))
+        machine::push(v, w, linear, lever, j)
     }
 
     #[inline(always)]

@@ -14,7 +14,7 @@ pub(super) const fn leading_zeros(x: u32) -> u32 {
 }
 
 #[cfg(multiply = "short")]
-pub(super) use super::machine::leading_zeros;
+pub(super) use super::machine::{leading_zeros, long_quotient, reciprocal};
 
 /// The leading zeros of a number above zero.
 #[inline(always)]
@@ -36,7 +36,7 @@ pub(crate) const fn round_shift(x: i64, s: u32) -> i64 {
 
 /// Seeds of the reciprocal: `2^16 / (129 + 2i) - 256`, the reciprocal of the middle of the i-th of 64 intervals that
 /// divide `[1/2, 1)`, in 1/256, without its leading 256. Off by at most 2^-6.9 in relative terms.
-const RECIPROCAL_SEED: [u8; 64] = {
+pub(super) static RECIPROCAL_SEED: [u8; 64] = {
     let mut table = [0; 64];
     let mut i = 0;
     while i < 64 {
@@ -56,6 +56,7 @@ pub(crate) fn high_product(a: u32, b: u32) -> u32 {
 /// `2^62 / d` for `d >= 2^31`; off by at most 2^-26 in relative terms.
 ///
 /// Two Newton steps `x (2 - d x)` from a 64-byte table: 7, 13, then 26 bits.
+#[cfg(not(multiply = "short"))]
 #[inline(always)]
 pub(crate) fn reciprocal(d: u32) -> u32 {
     let x0 = RECIPROCAL_SEED[((d >> 25) & 63) as usize] as u32 | 256;
@@ -68,6 +69,7 @@ pub(crate) fn reciprocal(d: u32) -> u32 {
 /// `n 2^30 / d` to one unit, for `n` and `d` of 32 bits.
 ///
 /// The reciprocal gives 26 bits; what is left of the dividend, times the reciprocal, the rest.
+#[cfg(not(multiply = "short"))]
 #[inline(always)]
 pub(crate) fn long_quotient(n: u32, d: u32) -> u32 {
     let x = reciprocal(d);

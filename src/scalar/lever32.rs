@@ -34,6 +34,7 @@ pub struct Lever32 {
 
 impl Lever32 {
     /// I^-1 (r x d) for an arm in units of 2^-frac, as a block and its exponent.
+    #[cfg(not(multiply = "short"))]
     #[inline(always)]
     pub(super) fn turn(&self, frac: i32) -> (&Vec3<I2F30>, i32) {
         (&self.turn, self.turn_exponent.wrapping_add(31i32.wrapping_sub(frac)))
@@ -55,7 +56,7 @@ fn linear_speed(v: [[i32; 3]; 2], d: [&Vec3<I2F30>; 2]) -> i64 {
 
 /// Speeds are added up in units of 2^-22 of the last place, or less where the format is coarse and so the arms long.
 #[inline(always)]
-const fn places_of_speed(frac: i32) -> i32 {
+pub(super) const fn places_of_speed(frac: i32) -> i32 {
     match frac {
         26.. => 3,
         12.. => 8,

@@ -2,6 +2,8 @@
 
 #[cfg(multiply = "short")]
 mod baseline;
+#[cfg(not(multiply = "short"))]
+mod impulses;
 #[cfg(multiply = "long")]
 mod mainline;
 #[cfg(not(any(multiply = "long", multiply = "short")))]
@@ -15,6 +17,8 @@ mod words;
 
 #[cfg(multiply = "short")]
 pub(super) use baseline::*;
+#[cfg(not(multiply = "short"))]
+pub(super) use impulses::*;
 #[cfg(multiply = "long")]
 pub(super) use mainline::*;
 #[cfg(not(any(multiply = "long", multiply = "short")))]

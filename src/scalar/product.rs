@@ -276,3 +276,18 @@ pub(super) fn add_dot(sum: i64, a: [i32; 3], b: [i32; 3]) -> i64 {
 pub(super) fn add_dot2(sum: i64, a: [i32; 2], b: [i32; 2]) -> i64 {
     add_product(add_product(sum, a[0], b[0]), a[1], b[1])
 }
+
+/// `(b - a) 2^places` for `places` in `0..=30`.
+#[cfg(not(multiply = "short"))]
+#[inline(always)]
+pub(super) fn raised_difference(b: i32, a: i32, places: u32) -> i64 {
+    let one = 1i32.wrapping_shl(places);
+    dot2([b, a], [one, one.wrapping_neg()])
+}
+
+/// `(b - a) 2^places` for `places` in `0..=30`; a shift, where products are dear.
+#[cfg(multiply = "short")]
+#[inline(always)]
+pub(super) fn raised_difference(b: i32, a: i32, places: u32) -> i64 {
+    (b as i64).wrapping_sub(a as i64).wrapping_shl(places)
+}

@@ -5,7 +5,7 @@ use super::contact32::ONE;
 use super::integer::{high_product, inverse_root, leading_zeros, leading_zeros64, reciprocal};
 use super::machine::times30;
 use super::product::{dot, dot2, product};
-use super::wide::{high, leading32, magnitude, narrow};
+use super::wide::{high, leading32, magnitude, narrow, upper};
 
 /// The equation of `impulse/slip.rs`, squared so that no root has to be taken: (t |N|)^2 = B^2, B = load D - t coupling . N
 /// with coupling = -mu K_nt / K_nn.
@@ -98,8 +98,8 @@ fn step(excess: i64, slope: i64) -> i32 {
         return i32::MAX;
     }
     let zeros = leading_zeros64(slope as u64);
-    let over = reciprocal(leading32(slope, zeros));
-    high(product(high(excess.wrapping_shl(zeros.wrapping_sub(1))), (over >> 1) as i32)) << 1
+    let over = reciprocal(upper(slope, zeros) as u32);
+    high(product(upper(excess, zeros.wrapping_sub(1)), (over >> 1) as i32)) << 1
 }
 
 /// The vector over its length, in Q2.30.
@@ -111,7 +111,7 @@ fn unit(v: [i32; 2]) -> [i32; 2] {
     let square = dot2(v, v) as u64;
     let places = leading_zeros64(square) & 62;
     // 2^30 sqrt(2^64 / (square 2^places)), in [2^30, 2^31].
-    let root = inverse_root((square.wrapping_shl(places) >> 32) as u32);
+    let root = inverse_root(leading32(square as i64, places));
     // v root / 2^30 2^(places / 2) / 2^32
     let (half, down) = ((root >> 1) as i32, 31u32.wrapping_sub(places / 2));
     let d = [product(v[0], half).wrapping_shr(down) as i32, product(v[1], half).wrapping_shr(down) as i32];

@@ -57,10 +57,16 @@ pub(super) fn high(x: i64) -> i32 {
     (x >> 32) as i32
 }
 
-/// The leading 32 bits of a positive number, for the number of its leading zeros.
+/// The leading 32 bits of a number of at least 2^32, for the number of its leading zeros.
 #[inline(always)]
 pub(super) fn leading32(x: i64, zeros: u32) -> u32 {
-    ((x as u64).wrapping_shl(zeros) >> 32) as u32
+    shift_left(x, zeros) as u32
+}
+
+/// The upper half of `x 2^places`, for `places` in `0..=63` and what fits 64 bits.
+#[inline(always)]
+pub(super) fn upper(x: i64, places: u32) -> i32 {
+    if places > 31 { (x as u32).wrapping_shl(places) as i32 } else { shift_left(x, places) }
 }
 
 #[inline(always)]

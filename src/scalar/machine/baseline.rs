@@ -6,27 +6,27 @@
 //! thirty thousand contacts on all cores.
 #![allow(unsafe_code)]
 
-/// `$r0 $d1 - $r1 $d0` in r0 and r4, of high registers.
+/// `r0 d1 - r1 d0` in r0 and r4, of numbers at `$r0` and so on of the stack.
 ///
 /// Lower halves are not negative. Of the middle products only two fit a common word: |d| <= 2^30.
 macro_rules! minor {
     ($r0:literal, $d1:literal, $r1:literal, $d0:literal) => {
         concat!(
-            "mov r0, ",
+            "ldr r0, [sp, #",
             $r0,
-            "\n uxth r1, r0\n asrs r0, r0, #16\n",
-            "mov r2, ",
+            "]\n uxth r1, r0\n asrs r0, r0, #16\n",
+            "ldr r2, [sp, #",
             $d1,
-            "\n uxth r3, r2\n asrs r2, r2, #16\n",
+            "]\n uxth r3, r2\n asrs r2, r2, #16\n",
             // r0, r4: the upper and the lower product. r3, r1: the middle ones.
             "mov r4, r1\n muls r4, r3, r4\n muls r3, r0, r3\n muls r1, r2, r1\n muls r0, r2, r0\n",
             "lsls r2, r3, #16\n asrs r3, r3, #16\n adds r4, r4, r2\n adcs r0, r3\n",
-            "mov r2, ",
+            "ldr r2, [sp, #",
             $r1,
-            "\n uxth r5, r2\n asrs r2, r2, #16\n",
-            "mov r6, ",
+            "]\n uxth r5, r2\n asrs r2, r2, #16\n",
+            "ldr r6, [sp, #",
             $d0,
-            "\n uxth r7, r6\n asrs r6, r6, #16\n",
+            "]\n uxth r7, r6\n asrs r6, r6, #16\n",
             "mov r3, r2\n muls r3, r6, r3\n muls r2, r7, r2\n muls r6, r5, r6\n muls r5, r7, r5\n",
             "subs r4, r4, r5\n sbcs r0, r3\n subs r1, r1, r6\n",
             "lsls r3, r2, #16\n asrs r2, r2, #16\n subs r4, r4, r3\n sbcs r0, r2\n",
@@ -35,13 +35,17 @@ macro_rules! minor {
     };
 }
 
+mod approach;
 mod lever;
 mod numbers;
 mod push;
+mod quotient;
 mod rows;
 
+pub use approach::approach_impulse;
 pub(super) use lever::lever_words;
 pub use numbers::{leading_zeros, times30};
 pub(super) use push::add_scaled_words;
-pub use push::{add_along, add_turn};
+pub use push::{add_along, add_turn, push};
+pub use quotient::{long_quotient, reciprocal};
 pub use rows::turn_rows;

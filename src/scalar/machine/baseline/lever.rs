@@ -1,6 +1,7 @@
 //! The lever of an arm.
 
 use core::arch::naked_asm;
+use core::mem::offset_of;
 
 use super::numbers::zeros_of;
 use crate::scalar::lever32::Lever32;
@@ -20,12 +21,11 @@ macro_rules! cross {
     };
 }
 
-/// The first product of `c . b`, of c's component at `$at` of the stack and b's at `$of` from r6. r5, r4: the sum. r8, r9: sums of
-/// the middle products.
+/// The first product of `c . b`, of c's component at `$at` of the stack and b's at `$of`. r5, r4: the sum. r3, r0: middle products.
 macro_rules! first {
     ($of:literal, $at:literal) => {
         concat!(
-            "ldr r5, [r6, #",
+            "ldr r5, [sp, #",
             $of,
             "]\n uxth r3, r5\n asrs r5, r5, #16\n",
             "ldr r0, [sp, #",
@@ -34,47 +34,32 @@ macro_rules! first {
             $at,
             " + 4]\n",
             "mov r4, r0\n muls r4, r3, r4\n muls r3, r1, r3\n muls r0, r5, r0\n muls r5, r1, r5\n",
-            "mov r8, r3\n",
         )
     };
 }
 
-/// The next product.
+/// The next product; r3: the sum of those middle products.
 macro_rules! next {
     ($of:literal, $at:literal) => {
         concat!(
-            "ldr r2, [r6, #",
+            "ldr r2, [sp, #",
             $of,
-            "]\n uxth r3, r2\n asrs r2, r2, #16\n",
+            "]\n uxth r6, r2\n asrs r2, r2, #16\n",
             "ldr r0, [sp, #",
             $at,
             "]\n ldr r1, [sp, #",
             $at,
             " + 4]\n",
-            "mov r7, r0\n muls r7, r3, r7\n muls r3, r1, r3\n muls r0, r2, r0\n muls r2, r1, r2\n",
-            "adds r4, r4, r7\n adcs r5, r2\n add r8, r3\n",
+            "mov r7, r0\n muls r7, r6, r7\n muls r6, r1, r6\n muls r0, r2, r0\n muls r2, r1, r2\n",
+            "adds r4, r4, r7\n adcs r5, r2\n adds r3, r3, r6\n",
         )
     };
 }
 
-/// Adds a sum of middle products, in `$r` and a low register at hand.
+/// Adds middle products.
 macro_rules! middle {
-    ($r:literal, $free:literal) => {
-        concat!(
-            "lsls ",
-            $free,
-            ", ",
-            $r,
-            ", #16\n asrs ",
-            $r,
-            ", ",
-            $r,
-            ", #16\n adds r4, r4, ",
-            $free,
-            "\n adcs r5, ",
-            $r,
-            "\n",
-        )
+    ($r:literal) => {
+        concat!("lsls r2, ", $r, ", #16\n asrs ", $r, ", ", $r, ", #16\n adds r4, r4, r2\n adcs r5, ", $r, "\n")
     };
 }
 
@@ -83,14 +68,13 @@ macro_rules! dot {
     ($x:literal, $y:literal, $z:literal) => {
         concat!(
             first!($x, 0),
-            "mov r9, r0\n",
+            "mov r12, r0\n",
             next!($y, 8),
-            "add r9, r0\n",
+            "add r12, r0\n",
             next!($z, 16),
-            "add r0, r9\n",
-            "mov r1, r8\n",
-            middle!("r0", "r2"),
-            middle!("r1", "r2"),
+            "add r0, r12\n",
+            middle!("r0"),
+            middle!("r3"),
         )
     };
 }
@@ -98,13 +82,7 @@ macro_rules! dot {
 /// A component of u, of a row of the tensor.
 macro_rules! turn {
     ($x:literal, $y:literal, $z:literal, $to:literal) => {
-        concat!(
-            "ldr r6, [sp, #68]\n",
-            dot!($x, $y, $z),
-            "lsls r5, r5, #3\n lsrs r4, r4, #29\n orrs r5, r4\n ldr r0, [sp, #40]\n str r5, [r0, #",
-            $to,
-            "]\n",
-        )
+        concat!(dot!($x, $y, $z), "lsls r5, r5, #3\n lsrs r4, r4, #29\n orrs r5, r4\n str r5, [sp, #", $to, "]\n")
     };
 }
 
@@ -118,15 +96,11 @@ pub(in crate::scalar::machine) unsafe extern "C" fn lever_words(
     exponent: i32,
 ) -> Lever32 {
     naked_asm!(
-        // On the stack from here on: c in halves, four registers, at 40 the lever, at 44 w, at 68 the tensor, at 72 its exponent.
+        // On the stack from here on: c in halves, at 24 d and r, then the tensor, at 48 w, then u, at 60 the places, at 64 the
+        // lever, at 68 w, at 92 the tensor, at 96 its exponent.
         "push {{r0, r2, r4-r7, lr}}",
-        "mov r4, r8",
-        "mov r5, r9",
-        "mov r6, r10",
-        "mov r7, r11",
-        "push {{r4-r7}}",
-        "sub sp, #24",
-        // r8, r9, r10: r, moved left until it fills 31 bits. r11, r12, lr: d.
+        "sub sp, #64",
+        // r, moved left until it fills 31 bits.
         "mov r7, r3",
         "ldm r1!, {{r4, r5, r6}}",
         "asrs r0, r4, #31",
@@ -141,46 +115,46 @@ pub(in crate::scalar::machine) unsafe extern "C" fn lever_words(
         "orrs r0, r1",
         "bl {zeros_of}",
         "subs r0, #1",
-        "ldr r1, [sp, #40]",
-        "str r0, [r1, #20]",
+        "str r0, [sp, #60]",
         "lsls r4, r0",
         "lsls r5, r0",
         "lsls r6, r0",
-        "mov r8, r4",
-        "mov r9, r5",
-        "mov r10, r6",
         "ldm r7!, {{r0, r1, r2}}",
-        "mov r11, r0",
-        "mov r12, r1",
-        "mov lr, r2",
-        cross!("r9", "lr", "r10", "r12", 0),
-        cross!("r10", "r11", "r8", "lr", 8),
-        cross!("r8", "r12", "r9", "r11", 16),
-        // w . c: any numbers of 32 bits, whose middle products are added one by one.
-        "ldr r6, [sp, #44]",
-        first!(0, 0),
-        middle!("r0", "r2"),
-        next!(4, 8),
-        middle!("r0", "r2"),
-        next!(8, 16),
-        middle!("r0", "r2"),
-        "mov r1, r8",
-        middle!("r1", "r2"),
-        "ldr r0, [sp, #40]",
+        "add r3, sp, #24",
+        "stm r3!, {{r0, r1, r2, r4, r5, r6}}",
+        cross!(40, 32, 44, 28, 0),
+        cross!(44, 24, 36, 32, 8),
+        cross!(36, 28, 40, 24, 16),
+        "ldr r7, [sp, #68]",
+        "ldm r7!, {{r0, r1, r2}}",
+        "add r6, sp, #48",
+        "stm r6!, {{r0, r1, r2}}",
+        "ldr r7, [sp, #92]",
+        "ldm r7!, {{r0, r1, r2, r3, r4, r5}}",
+        "add r6, sp, #24",
+        "stm r6!, {{r0, r1, r2, r3, r4, r5}}",
+        // w . c: any numbers of 32 bits, of whose middle products one kind is added one by one.
+        first!(48, 0),
+        middle!("r0"),
+        next!(52, 8),
+        middle!("r0"),
+        next!(56, 16),
+        middle!("r0"),
+        middle!("r3"),
+        "ldr r0, [sp, #64]",
         "stm r0!, {{r4, r5}}",
         // u = I^-1 c
-        turn!(0, 4, 8, 8),
-        turn!(4, 12, 16, 12),
-        turn!(8, 16, 20, 16),
-        // r5, r4: c . u. r6: the lever.
-        "ldr r6, [sp, #40]",
-        dot!(8, 12, 16),
+        turn!(24, 28, 32, 48),
+        turn!(28, 36, 40, 52),
+        turn!(32, 40, 44, 56),
+        // r5, r4: c . u.
+        dot!(48, 52, 56),
         "cmp r5, #0",
         "bge 2f",
         "movs r5, #0",
         "movs r4, #0",
         "2:",
-        // r0: how far it moves left; r5: its leading 30 bits.
+        // r0: how far it moves left; r4: its leading 30 bits.
         "movs r0, #1",
         "orrs r0, r5",
         "bl {zeros_of}",
@@ -189,32 +163,33 @@ pub(in crate::scalar::machine) unsafe extern "C" fn lever_words(
         "eors r1, r0",
         "lsrs r4, r4, #1",
         "lsrs r4, r1",
-        "orrs r5, r4",
-        "lsrs r5, r5, #2",
-        "str r5, [r6, #28]",
-        // The exponents of u and of c . u.
-        "ldr r1, [sp, #72]",
-        "ldr r2, [r6, #20]",
-        "subs r1, r1, r2",
-        "str r1, [r6, #24]",
-        "subs r1, r1, r2",
-        "subs r1, r1, r0",
-        "cmp r5, #0",
+        "orrs r4, r5",
+        "lsrs r4, r4, #2",
+        // r3 and r5: the exponents of u and of c . u.
+        "ldr r2, [sp, #60]",
+        "ldr r3, [sp, #96]",
+        "subs r3, r3, r2",
+        "subs r5, r3, r2",
+        "subs r5, r5, r0",
+        "cmp r4, #0",
         "bne 3f",
-        "ldr r1, 4f",
+        "ldr r5, 4f",
         "3:",
-        "str r1, [r6, #32]",
-        "add sp, #24",
-        "pop {{r4-r7}}",
-        "mov r8, r4",
-        "mov r9, r5",
-        "mov r10, r6",
-        "mov r11, r7",
+        "ldr r0, [sp, #64]",
+        "adds r0, #{places}",
+        "stm r0!, {{r2, r3, r4, r5}}",
+        "subs r0, #16 + {places} - {turn}",
+        "add r1, sp, #48",
+        "ldm r1!, {{r2, r3, r4}}",
+        "stm r0!, {{r2, r3, r4}}",
+        "add sp, #64",
         "pop {{r0, r2, r4-r7, pc}}",
         ".p2align 2",
         "4:",
         ".word {lowest}",
         zeros_of = sym zeros_of,
         lowest = const Scaled32::LOWEST,
+        turn = const offset_of!(Lever32, turn),
+        places = const offset_of!(Lever32, places),
     )
 }

@@ -1,19 +1,23 @@
 //! What an impulse adds to a velocity.
 
 use core::arch::naked_asm;
+use core::mem::offset_of;
 use core::ptr::{from_mut, from_ref};
 
 use fixed::FixedI32;
 use fixed::types::I2F30;
+use fixed::types::extra::LeEqU32;
 
 use crate::math::Vec3;
+use crate::scalar::lever32::Lever32;
 use crate::scalar::machine::words::add_far;
+use crate::scalar::scaled32::Scaled32;
 
-/// A component of x, at `$at` from r0, and d k / 2^(32 + down) in r2; to `2:` where they leave the range.
+/// A component of x, at `$at` from r0, and d k / 2^(32 + down) in r2; to `$far` where they leave the range.
 ///
 /// With d = 2^16 d1 + d0, d0 of either sign, the middle products fit a word together: |d| < 2^30.5 and |k| < 2^30.
 macro_rules! added {
-    ($at:literal) => {
+    ($at:literal, $far:literal) => {
         concat!(
             "ldr r6, [r1, #",
             $at,
@@ -23,7 +27,26 @@ macro_rules! added {
             // The last bit that leaves by a shift is the carry, and the half that rounds.
             "asrs r6, r3\n ldr r2, [r0, #",
             $at,
-            "]\n adcs r2, r6\n bvs 2f\n",
+            "]\n adcs r2, r6\n bvs ",
+            $far,
+            "\n",
+        )
+    };
+}
+
+/// `add_scaled` for x at r0, d at r1, k in r2 and down in r3; to `$far`, with all but k as they were, where it has nothing added.
+macro_rules! add_scaled {
+    ($far:literal) => {
+        concat!(
+            "cmp r3, #1\n blt ",
+            $far,
+            "\n cmp r3, #31\n ble 1f\n movs r3, #31\n 1:\n uxth r4, r2\n asrs r5, r2, #16\n",
+            added!(0, $far),
+            "mov r12, r2\n",
+            added!(4, $far),
+            "mov lr, r2\n",
+            added!(8, $far),
+            "str r2, [r0, #8]\n mov r2, r12\n mov r3, lr\n stm r0!, {{r2, r3}}\n",
         )
     };
 }
@@ -38,23 +61,7 @@ pub(in crate::scalar::machine) unsafe extern "C" fn add_scaled_words(
 ) -> bool {
     naked_asm!(
         "push {{r2-r7, lr}}",
-        "cmp r3, #1",
-        "blt 2f",
-        "cmp r3, #31",
-        "ble 1f",
-        "movs r3, #31",
-        "1:",
-        "uxth r4, r2",
-        "asrs r5, r2, #16",
-        added!(0),
-        "mov r12, r2",
-        added!(4),
-        "mov lr, r2",
-        added!(8),
-        "str r2, [r0, #8]",
-        "mov r2, r12",
-        "mov r3, lr",
-        "stm r0!, {{r2, r3}}",
+        add_scaled!("2f"),
         "movs r0, #0",
         "pop {{r2-r7, pc}}",
         "2:",
@@ -66,6 +73,110 @@ pub(in crate::scalar::machine) unsafe extern "C" fn add_scaled_words(
         "pop {{r2-r7, pc}}",
         far = sym add_far,
     )
+}
+
+/// What of a push turns, as arguments of `add_scaled`.
+macro_rules! turn {
+    () => {
+        concat!(
+            "ldr r2, [sp, #44]\n ldr r1, [sp, #12]\n ldr r3, [r1, #{turn_exponent}]\n adds r1, #{turn}\n",
+            // -(turn_exponent + exponent of j) - 3
+            "ldr r5, [sp, #48]\n adds r3, r3, r5\n mvns r3, r3\n subs r3, #2\n ldr r0, [sp, #4]\n",
+        )
+    };
+}
+
+/// The push of an impulse j; `places` is 29 less the fraction bits.
+#[unsafe(naked)]
+unsafe extern "C" fn push_words(
+    v: *mut i32,
+    w: *mut i32,
+    d: *const i32,
+    lever: *const Lever32,
+    inv_mass: Scaled32,
+    j: Scaled32,
+    places: i32,
+) -> bool {
+    naked_asm!(
+        // On the stack from here on: v, w, d, the lever, at 36 the inverse mass, at 44 j, at 52 the places.
+        "push {{r0-r7, lr}}",
+        // r2: the product of the mantissas without its last 29 places; the middle products are below 2^30.
+        "ldr r6, [sp, #36]",
+        "ldr r4, [sp, #44]",
+        "uxth r0, r6",
+        "asrs r6, r6, #16",
+        "uxth r1, r4",
+        "asrs r4, r4, #16",
+        "mov r2, r0",
+        "muls r2, r1, r2",
+        "muls r1, r6, r1",
+        "muls r0, r4, r0",
+        "muls r6, r4, r6",
+        "adds r1, r1, r0",
+        "lsls r0, r1, #16",
+        "asrs r1, r1, #16",
+        "adds r2, r2, r0",
+        "adcs r6, r1",
+        "lsrs r2, r2, #29",
+        "lsls r6, r6, #3",
+        "orrs r2, r6",
+        "str r2, [sp, #36]",
+        "ldr r3, [sp, #52]",
+        "ldr r0, [sp, #40]",
+        "subs r3, r3, r0",
+        "ldr r0, [sp, #48]",
+        "subs r3, r3, r0",
+        "ldr r0, [sp]",
+        "ldr r1, [sp, #8]",
+        add_scaled!("3f"),
+        turn!(),
+        "b 2f",
+        "3:",
+        "ldr r2, [sp, #36]",
+        "sub sp, #4",
+        "bl {far}",
+        "add sp, #4",
+        "str r0, [sp]",
+        turn!(),
+        "sub sp, #4",
+        "bl {add_scaled}",
+        "add sp, #4",
+        "ldr r1, [sp]",
+        "orrs r0, r1",
+        "add sp, #16",
+        "pop {{r4-r7, pc}}",
+        "2:",
+        add_scaled!("4f"),
+        "movs r0, #0",
+        "add sp, #16",
+        "pop {{r4-r7, pc}}",
+        "4:",
+        "ldr r2, [sp, #44]",
+        "sub sp, #4",
+        "bl {far}",
+        "add sp, #4",
+        "add sp, #16",
+        "pop {{r4-r7, pc}}",
+        far = sym add_far,
+        add_scaled = sym add_scaled_words,
+        turn = const offset_of!(Lever32, turn),
+        turn_exponent = const offset_of!(Lever32, turn_exponent),
+    )
+}
+
+/// A push, as that of `machine/impulses.rs`.
+#[inline(always)]
+pub fn push<F: LeEqU32>(
+    v: &mut Vec3<FixedI32<F>>,
+    w: &mut Vec3<FixedI32<F>>,
+    (d, inv_mass): (&Vec3<I2F30>, Scaled32),
+    lever: &Lever32,
+    j: Scaled32,
+) -> bool {
+    let places = 29i32.wrapping_sub(F::I32);
+    // SAFETY: the references are to three words each, and to a lever, which is `repr(C)`; the function reads them, writes the
+    // first two, and keeps to the calling convention.
+    unsafe { push_words(from_mut(v).cast(), from_mut(w).cast(), from_ref(d).cast(), lever, inv_mass, j, places) }
 }
 
 /// A component of `v`, at `$at` from r0, and `d k / 2^K`, of which 32 - K is `$up` and K - 16 is `$down`: r3 and r4 are k in halves.

@@ -1,7 +1,8 @@
 //! What an arm does in any direction.
 
 use core::arch::naked_asm;
-use core::ptr::{from_mut, from_ref};
+use core::mem::MaybeUninit;
+use core::ptr::from_ref;
 
 use fixed::types::I2F30;
 
@@ -24,18 +25,12 @@ macro_rules! element {
 unsafe extern "C" fn turn_words(rows: *mut i32, r: *const i32, inv_inertia: *const i32) {
     naked_asm!(
         "push {{r4-r7, lr}}",
-        "mov r4, r8",
-        "mov r5, r9",
-        "mov r6, r10",
-        "mov r7, r11",
-        "push {{r4-r7}}",
-        // On the stack: where the next row of W goes, where that of I^-1 is, and the rows of I^-1.
-        "sub sp, #44",
+        // On the stack: where the next row of W goes, where that of I^-1 is, the rows of I^-1, at 44 one of them, at 56 r.
+        "sub sp, #68",
         "str r0, [sp]",
         "ldm r1!, {{r4, r5, r6}}",
-        "mov r11, r4",
-        "mov r12, r5",
-        "mov lr, r6",
+        "add r0, sp, #56",
+        "stm r0!, {{r4, r5, r6}}",
         "ldm r2, {{r2, r3, r4, r5, r6, r7}}",
         "add r1, sp, #8",
         "str r1, [sp, #4]",
@@ -46,12 +41,11 @@ unsafe extern "C" fn turn_words(rows: *mut i32, r: *const i32, inv_inertia: *con
         "ldr r7, [sp, #4]",
         "ldm r7!, {{r0, r1, r2}}",
         "str r7, [sp, #4]",
-        "mov r8, r0",
-        "mov r9, r1",
-        "mov r10, r2",
-        element!("r9", "lr", "r10", "r12", 0),
-        element!("r10", "r11", "r8", "lr", 4),
-        element!("r8", "r12", "r9", "r11", 8),
+        "add r3, sp, #44",
+        "stm r3!, {{r0, r1, r2}}",
+        element!(48, 64, 52, 60, 0),
+        element!(52, 56, 44, 64, 4),
+        element!(44, 60, 48, 56, 8),
         "adds r1, #12",
         "str r1, [sp]",
         "ldr r0, [sp, #4]",
@@ -60,12 +54,7 @@ unsafe extern "C" fn turn_words(rows: *mut i32, r: *const i32, inv_inertia: *con
         "beq 3f",
         "b 2b",
         "3:",
-        "add sp, #44",
-        "pop {{r4-r7}}",
-        "mov r8, r4",
-        "mov r9, r5",
-        "mov r10, r6",
-        "mov r11, r7",
+        "add sp, #68",
         "pop {{r4-r7, pc}}",
     )
 }
@@ -73,9 +62,11 @@ unsafe extern "C" fn turn_words(rows: *mut i32, r: *const i32, inv_inertia: *con
 /// The rows of I^-1 (r x .) without their last 29 places, as those of `machine/rows.rs`, for an arm within 2^30.
 #[inline(always)]
 pub fn turn_rows(r: &[i32; 3], inv_inertia: &SymMat3<I2F30>) -> [[i32; 3]; 3] {
-    let mut rows = [[0; 3]; 3];
-    // SAFETY: the references are to three words, six and nine; the function reads the first two, writes the last, and keeps to the
+    let mut rows = MaybeUninit::<[[i32; 3]; 3]>::uninit();
+    // SAFETY: the references are to three words and to six; the function reads them, writes all nine of the rows, and keeps to the
     // calling convention.
-    unsafe { turn_words(from_mut(&mut rows).cast(), from_ref(r).cast(), from_ref(inv_inertia).cast()) }
-    rows
+    unsafe {
+        turn_words(rows.as_mut_ptr().cast(), from_ref(r).cast(), from_ref(inv_inertia).cast());
+        rows.assume_init()
+    }
 }
