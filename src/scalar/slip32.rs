@@ -3,13 +3,18 @@
 use super::MAX_SLIP_ITERATIONS;
 use super::contact32::ONE;
 use super::integer::{high_product, inverse_root, leading_zeros, leading_zeros64, reciprocal};
+#[cfg(multiply = "short")]
+use super::machine;
 use super::machine::times30;
-use super::product::{dot, dot2, product};
+#[cfg(not(multiply = "short"))]
+use super::product::dot;
+use super::product::{dot2, product};
 use super::wide::{high, leading32, magnitude, narrow, upper};
 
 /// The equation of `impulse/slip.rs`, squared so that no root has to be taken: (t |N|)^2 = B^2, B = load D - t coupling . N
 /// with coupling = -mu K_nt / K_nn.
 /// All in Q2.30 but q, p and the load, which have a common unit and are within 2^29, 2^29.5 and 2^30.
+#[repr(C)]
 pub(super) struct Slip32 {
     pub q: [i32; 2],
     pub p: [i32; 2],
@@ -27,6 +32,7 @@ impl Slip32 {
     }
 
     /// B, the difference of the squares, and half its derivative.
+    #[cfg(not(multiply = "short"))]
     #[inline(always)]
     fn excess(&self, t: i32) -> (i32, i64, i64) {
         let tp = [times30(t, self.p[0]), times30(t, self.p[1])];
@@ -36,13 +42,20 @@ impl Slip32 {
         let m = [n[0].wrapping_add(tp[0]), n[1].wrapping_add(tp[1])];
         let rest = ONE.wrapping_sub(t);
         let (th, td) = (times30(t, self.half_trace), times30(t, self.determinant));
-        let d = narrow::<30>(dot([rest, th, t], [rest, rest, td]).wrapping_add(product(rest, th)));
+        // Beyond 2^31 for t = 1 only, where the other factor is zero.
+        let d = narrow::<30>(dot2([rest, t], [rest.wrapping_add(th).wrapping_add(th), td]));
         let half_slope = td.wrapping_sub(rest).wrapping_add(times30(self.half_trace, rest.wrapping_sub(t)));
         let b = times30(self.load, d).wrapping_sub(narrow::<30>(dot2(self.coupling, tn)));
         let half_b = times30(self.load, half_slope).wrapping_sub(narrow::<31>(dot2(self.coupling, m)));
         let excess = dot([tn[0], tn[1], b], [tn[0], tn[1], b.wrapping_neg()]);
         let slope = dot2(tn, m).wrapping_sub(product(b, half_b) << 1);
         (b, excess, slope)
+    }
+
+    #[cfg(multiply = "short")]
+    #[inline(always)]
+    fn excess(&self, t: i32) -> (i32, i64, i64) {
+        machine::excess(self, t)
     }
 
     /// A first guess: Newton's step from t = 0, with the length of q to a few percent.

@@ -41,6 +41,7 @@ mod numbers;
 mod push;
 mod quotient;
 mod rows;
+mod slip;
 
 pub use approach::approach_impulse;
 pub(super) use lever::lever_words;
@@ -49,3 +50,4 @@ pub(super) use push::add_scaled_words;
 pub use push::{add_along, add_turn, push};
 pub use quotient::{long_quotient, reciprocal};
 pub use rows::turn_rows;
+pub use slip::excess;
