@@ -7,45 +7,26 @@ use fixed::FixedI32;
 use fixed::types::I2F30;
 
 use super::integer::leading_zeros;
-use super::machine::{at_most_31, turn_rows};
+use super::machine::at_most_31;
 use super::product::{add_dot2, dot, raised_difference};
 use super::scaled32::Scaled32;
 use super::wide::{bits_of, high, magnitude, max, minus, narrow, shift_left, shift_right};
 use super::{Scalar, Scaled};
-use crate::math::{SymMat3, Vec3};
+use crate::math::Vec3;
 
 /// An arm r in fixed point, and W = I^-1 (r x .).
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 pub struct Arm32 {
     /// Within 2^30, in units of `2^exponent`.
-    r: [i32; 3],
-    exponent: i32,
+    pub(super) r: [i32; 3],
+    pub(super) exponent: i32,
     /// The rows of W, in units of `2^turn_exponent`.
-    turn: [[i32; 3]; 3],
-    turn_exponent: i32,
+    pub(super) turn: [[i32; 3]; 3],
+    pub(super) turn_exponent: i32,
 }
 
 impl Arm32 {
-    /// For an arm whose components are `r` units of 2^-frac.
-    #[inline(never)]
-    pub(super) fn new(r: [i32; 3], inv_inertia: &SymMat3<I2F30>, exponent: i32, frac: i32) -> Self {
-        let places = leading_zeros(magnitude(r)).wrapping_sub(1);
-        // Exact but for arms of 31 bits, which lose the last; and what follows can change their signs.
-        let r = [r[0].wrapping_shl(places) >> 1, r[1].wrapping_shl(places) >> 1, r[2].wrapping_shl(places) >> 1];
-        // No arm, no say in which power of two a sum takes.
-        let of_arm = if r[0] | r[1] | r[2] == 0 {
-            Scaled32::LOWEST
-        } else {
-            1i32.wrapping_sub(frac).wrapping_sub(places as i32)
-        };
-        Self {
-            r,
-            exponent: of_arm,
-            turn: turn_rows(&r, inv_inertia),
-            turn_exponent: of_arm.wrapping_add(exponent).wrapping_sub(1),
-        }
-    }
-
     /// W j for a vector within 2^30.8, within 2^30.7, and its exponent.
     #[inline(always)]
     pub(super) fn turn(&self, j: [i32; 3]) -> ([i32; 3], i32) {

@@ -358,7 +358,7 @@ where
 
     #[inline(always)]
     fn arm(r: &Vec3<Self>, inv_inertia: &SymMat3<I2F30>, exponent: i32) -> Arm32 {
-        Arm32::new(bits_of(r), inv_inertia, exponent, Frac::I32)
+        machine::arm(r, inv_inertia, exponent)
     }
 
     #[inline(always)]

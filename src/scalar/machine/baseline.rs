@@ -6,27 +6,47 @@
 //! thirty thousand contacts on all cores.
 #![allow(unsafe_code)]
 
-/// `r0 d1 - r1 d0` in r0 and r4, of numbers at `$r0` and so on of the stack.
+/// The upper and the lower half of a word at `$at` of the stack.
+macro_rules! word {
+    ($high:literal, $low:literal, $at:literal) => {
+        concat!(
+            "ldr ",
+            $high,
+            ", [sp, #",
+            $at,
+            "]\n uxth ",
+            $low,
+            ", ",
+            $high,
+            "\n asrs ",
+            $high,
+            ", ",
+            $high,
+            ", #16\n",
+        )
+    };
+}
+
+/// The same of a number that lies there in halves, the lower one first.
+macro_rules! halves {
+    ($high:literal, $low:literal, $at:literal) => {
+        concat!("ldr ", $low, ", [sp, #", $at, "]\n ldr ", $high, ", [sp, #", $at, " + 4]\n")
+    };
+}
+
+/// `r0 d1 - r1 d0` in r0 and r4, of words at `$r0` and `$r1` of the stack and two factors that `$of` loads.
 ///
 /// Lower halves are not negative. Of the middle products only two fit a common word: |d| <= 2^30.
 macro_rules! minor {
-    ($r0:literal, $d1:literal, $r1:literal, $d0:literal) => {
+    ($of:ident, $r0:literal, $d1:literal, $r1:literal, $d0:literal) => {
         concat!(
-            "ldr r0, [sp, #",
-            $r0,
-            "]\n uxth r1, r0\n asrs r0, r0, #16\n",
-            "ldr r2, [sp, #",
-            $d1,
-            "]\n uxth r3, r2\n asrs r2, r2, #16\n",
+            word!("r0", "r1", $r0),
+            $of!("r2", "r3", $d1),
             // r0, r4: the upper and the lower product. r3, r1: the middle ones.
             "mov r4, r1\n muls r4, r3, r4\n muls r3, r0, r3\n muls r1, r2, r1\n muls r0, r2, r0\n",
             "lsls r2, r3, #16\n asrs r3, r3, #16\n adds r4, r4, r2\n adcs r0, r3\n",
-            "ldr r2, [sp, #",
-            $r1,
-            "]\n uxth r5, r2\n asrs r2, r2, #16\n",
-            "ldr r6, [sp, #",
-            $d0,
-            "]\n uxth r7, r6\n asrs r6, r6, #16\n",
+            word!("r2", "r5", $r1),
+            $of!("r6", "r7", $d0),
             "mov r3, r2\n muls r3, r6, r3\n muls r2, r7, r2\n muls r6, r5, r6\n muls r5, r7, r5\n",
             "subs r4, r4, r5\n sbcs r0, r3\n subs r1, r1, r6\n",
             "lsls r3, r2, #16\n asrs r2, r2, #16\n subs r4, r4, r3\n sbcs r0, r2\n",
@@ -36,18 +56,18 @@ macro_rules! minor {
 }
 
 mod approach;
+mod arm;
 mod lever;
 mod numbers;
 mod push;
 mod quotient;
-mod rows;
 mod slip;
 
 pub use approach::approach_impulse;
+pub use arm::arm;
 pub(super) use lever::lever_words;
 pub use numbers::{leading_zeros, times30};
 pub(super) use push::add_scaled_words;
 pub use push::{add_along, add_turn, push};
 pub use quotient::{long_quotient, reciprocal};
-pub use rows::turn_rows;
 pub use slip::excess;

@@ -11,7 +11,7 @@ use crate::scalar::scaled32::Scaled32;
 macro_rules! cross {
     ($r0:literal, $d1:literal, $r1:literal, $d0:literal, $at:literal) => {
         concat!(
-            minor!($r0, $d1, $r1, $d0),
+            minor!(word, $r0, $d1, $r1, $d0),
             "uxth r1, r0\n asrs r0, r0, #16\n str r1, [sp, #",
             $at,
             "]\n str r0, [sp, #",
