@@ -26,6 +26,8 @@
 
 mod apply;
 mod energy;
+#[cfg(all(feature = "f32", target_abi = "eabihf", multiply = "long"))]
+mod fpu;
 mod friction;
 mod lever;
 mod rub;
@@ -148,6 +150,10 @@ pub fn resolve_collision<S: Scalar>(
     contact: &Contact<S>,
     restitution: S,
 ) -> Impact<S> {
+    #[cfg(all(feature = "f32", target_abi = "eabihf", multiply = "long"))]
+    if let Some(impact) = fpu::resolve(a, b, contact, restitution) {
+        return impact;
+    }
     column!(let column = a, b, contact, contact.normal);
     let j = match column.impulse(a, b, restitution) {
         Ok(j) => j,
