@@ -185,6 +185,10 @@ pub fn resolve_collision_with_friction<S: Scalar>(
     if friction == S::ZERO {
         return resolve_collision(a, b, contact, material.restitution());
     }
+    #[cfg(all(feature = "f32", target_abi = "eabihf", multiply = "long"))]
+    if let Some(impact) = fpu::rub(a, b, contact, material) {
+        return impact;
+    }
     // Where a change of sign is not a mirror of all roundings, one of the two orders of the bodies is computed for both.
     if !S::SYMMETRIC && contact.normal.is_mirrored() {
         let impact = rub(b, a, (-contact.normal).get(), [&contact.r_b, &contact.r_a], material);
