@@ -186,8 +186,8 @@ pub fn resolve_collision_with_friction<S: Scalar>(
         return resolve_collision(a, b, contact, material.restitution());
     }
     #[cfg(all(feature = "f32", target_abi = "eabihf", multiply = "long"))]
-    if let Some(impact) = fpu::rub(a, b, contact, material) {
-        return impact;
+    if fpu::computes::<S>() {
+        return fpu::rub(a, b, contact, material);
     }
     // Where a change of sign is not a mirror of all roundings, one of the two orders of the bodies is computed for both.
     if !S::SYMMETRIC && contact.normal.is_mirrored() {

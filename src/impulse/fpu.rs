@@ -4,10 +4,52 @@
 //! portable form: `examples/strikes.rs` prints the same hashes of 32,000 contacts on all cores.
 #![allow(unsafe_code)]
 
+/// `$to = $a $d - $b $c`, all of them registers; `$to` may be `$a` or `$d`.
+macro_rules! minor {
+    ($to:literal, $a:literal, $d:literal, $b:literal, $c:literal) => {
+        concat!("vmul.f32 ", $to, ", ", $a, ", ", $d, "\n vmls.f32 ", $to, ", ", $b, ", ", $c, "\n ")
+    };
+}
+
+/// `$to = a . b`, three registers each; `$to` may be the first of them. With a sign, the last product is taken away.
+macro_rules! dot {
+    ($to:literal, [$a0:literal, $a1:literal, - $a2:literal], [$b0:literal, $b1:literal, $b2:literal]) => {
+        dot!($to, $a0 $b0 $a1 $b1 "vmls.f32 " $a2 $b2)
+    };
+    ($to:literal, [$a0:literal, $a1:literal, $a2:literal], [$b0:literal, $b1:literal, $b2:literal]) => {
+        dot!($to, $a0 $b0 $a1 $b1 "vmla.f32 " $a2 $b2)
+    };
+    ($to:literal, $a0:literal $b0:literal $a1:literal $b1:literal $last:literal $a2:literal $b2:literal) => {
+        concat!(
+            "vmul.f32 ", $to, ", ", $a0, ", ", $b0, "\n vmla.f32 ", $to, ", ", $a1, ", ", $b1, "\n ", $last, $to, ", ", $a2,
+            ", ", $b2, "\n ",
+        )
+    };
+}
+
+/// `$x = $least` where it is less.
+macro_rules! at_least {
+    ($x:literal, $least:literal) => {
+        concat!(
+            "vcmp.f32 ",
+            $x,
+            ", ",
+            $least,
+            "\n vmrs APSR_nzcv, fpscr\n it mi\n vmovmi.f32 ",
+            $x,
+            ", ",
+            $least,
+            "\n "
+        )
+    };
+}
+
+mod kick;
+mod slide;
 mod stick;
 mod strike;
 
-use core::any::Any;
+use core::any::{Any, TypeId};
 use core::mem::{MaybeUninit, offset_of};
 
 use super::lever::reason;
@@ -76,7 +118,7 @@ struct Attempt {
     velocity: Vec3<f32>,
     /// K
     inverse_mass: SymMat3<f32>,
-    /// Where the points stick, the impulse along the normal and across it.
+    /// Where there is one, the impulse along the normal and across it.
     normal: f32,
     across: Vec3<f32>,
 }
@@ -85,46 +127,84 @@ struct Attempt {
 const SEPARATING: u32 = 0;
 /// They stick; the impulse is applied.
 const STUCK: u32 = 1;
-/// They slide.
-const SLIDES: u32 = 2;
+/// They slide; the impulse is applied.
+const SLID: u32 = 2;
 /// They approach, and more is not known.
 const UNKNOWN: u32 = 3;
 
-/// A rebound with friction, in f32; nothing in other number types.
+/// Whether [`rub`] is for that number type.
+#[inline(always)]
+pub(super) fn computes<S: Scalar>() -> bool {
+    TypeId::of::<S>() == TypeId::of::<f32>()
+}
+
+/// A rebound with friction, in f32.
 #[inline(always)]
 pub(super) fn rub<S: Scalar>(
     a: &mut Body<S>,
     b: &mut Body<S>,
     contact: &Contact<S>,
     material: &Material<S>,
-) -> Option<Impact<S>> {
-    // Under the other law an impulse that makes the points stick is not yet the one to apply. Without friction none is found.
-    let newton = material.law == RestitutionLaw::Newton;
-    let friction = if newton { material.friction() } else { S::ZERO };
-    let (restitution, friction) = (same(material.restitution())?, same(friction)?);
+) -> Impact<S> {
     let mut attempt = MaybeUninit::<Attempt>::uninit();
-    let code = {
-        let (a, b) = ((a as &mut dyn Any).downcast_mut()?, (b as &mut dyn Any).downcast_mut()?);
-        let contact = (contact as &dyn Any).downcast_ref()?;
-        // SAFETY: as in `resolve`; `attempt` is written in the order of its fields, which are numbers side by side.
-        unsafe { stick::stick(a, b, contact, attempt.as_mut_ptr(), restitution, friction) }
-    };
-    let attempt = attempt.as_ptr();
-    if code == STUCK {
-        // SAFETY: written where the points stick.
-        let (normal, across) = unsafe { ((*attempt).normal, (*attempt).across) };
-        let (normal_impulse, friction_impulse) = (same(normal)?, same(across)?);
-        return Some(Impact { normal_impulse, friction_impulse, ..Impact::nothing(Outcome::Stuck) });
+    match found(a, b, contact, material, &mut attempt) {
+        Some(Ok(impact)) => impact,
+        Some(Err(code)) => without(a, b, contact, material, &attempt, code),
+        None => Impact::nothing(Outcome::NotFinite),
     }
+}
+
+/// The impact where it is found at once, else which code; nothing in other number types.
+#[inline(always)]
+fn found<S: Scalar>(
+    a: &mut Body<S>,
+    b: &mut Body<S>,
+    contact: &Contact<S>,
+    material: &Material<S>,
+    attempt: &mut MaybeUninit<Attempt>,
+) -> Option<Result<Impact<S>, u32>> {
+    // Under the other law the impulse found here is not yet the one to apply: with a NaN none is found.
+    let restitution = same(material.restitution())?;
+    let restitution = if material.law == RestitutionLaw::Newton { restitution } else { f32::NAN };
+    let friction = same(material.friction())?;
+    let (a, b) = ((a as &mut dyn Any).downcast_mut()?, (b as &mut dyn Any).downcast_mut()?);
+    let contact = (contact as &dyn Any).downcast_ref()?;
+    // SAFETY: as in `resolve`; `attempt` is written in the order of its fields, which are numbers side by side.
+    let code = unsafe { stick::stick(a, b, contact, attempt.as_mut_ptr(), restitution, friction) };
+    let outcome = match code {
+        STUCK => Outcome::Stuck,
+        SLID => Outcome::Slid,
+        _ => return Some(Err(code)),
+    };
+    // SAFETY: written with these codes.
+    let (normal, across) = unsafe { ((*attempt.as_ptr()).normal, (*attempt.as_ptr()).across) };
+    let (normal_impulse, friction_impulse) = (same(normal)?, same(across)?);
+    Some(Ok(Impact { normal_impulse, friction_impulse, ..Impact::nothing(outcome) }))
+}
+
+/// The rest of it where no impulse was found. (Outside the caller, which then saves fewer registers.)
+#[inline(never)]
+fn without<S: Scalar>(
+    a: &mut Body<S>,
+    b: &mut Body<S>,
+    contact: &Contact<S>,
+    material: &Material<S>,
+    attempt: &MaybeUninit<Attempt>,
+    code: u32,
+) -> Impact<S> {
     let (normal, r) = (contact.normal.get(), [&contact.r_a, &contact.r_b]);
+    let attempt = attempt.as_ptr();
     // SAFETY: always written.
-    let velocity = same(Block::<f32> { mantissas: unsafe { (*attempt).velocity }, exponent: () })?;
+    let velocity = Block::<f32> { mantissas: unsafe { (*attempt).velocity }, exponent: () };
+    // In other number types nobody comes here.
+    let Some(velocity) = same(velocity) else { return Impact::nothing(Outcome::NotFinite) };
     if code == SEPARATING {
-        return Some(Impact::nothing(unmoved(a, b, velocity, normal, r)));
+        return Impact::nothing(unmoved(a, b, velocity, normal, r));
     }
     // SAFETY: written where the points approach each other.
-    let inverse_mass = same(SymBlock::<f32> { mantissas: unsafe { (*attempt).inverse_mass }, exponent: () })?;
-    Some(answer(a, b, normal, r, material, (velocity, inverse_mass), newton && code == SLIDES))
+    let inverse_mass = SymBlock::<f32> { mantissas: unsafe { (*attempt).inverse_mass }, exponent: () };
+    let Some(inverse_mass) = same(inverse_mass) else { return Impact::nothing(Outcome::NotFinite) };
+    answer(a, b, normal, r, material, (velocity, inverse_mass))
 }
 
 /// The same value, if the types are the same.

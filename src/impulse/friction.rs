@@ -90,34 +90,24 @@ impl<T: Scaled> ContactBlock<T> {
         [dot([xx, xy, xz], j), dot([xy, yy, yz], j), dot([xz, yz, zz], j)]
     }
 
-    /// The impulse that gives v_n' = -e v_n under friction mu; whether it is known that the points slide.
+    /// The impulse that gives v_n' = -e v_n under friction mu.
     #[inline(always)]
-    pub fn solve(&self, restitution: T, friction: T, slides: bool) -> (Impulse<T>, Outcome) {
-        if !slides && let Some(j) = self.stick(restitution, friction) {
-            return (j, Outcome::Stuck);
+    pub fn solve(&self, restitution: T, friction: T) -> (Impulse<T>, Outcome) {
+        let (n, speed) = (self.normal, self.speed);
+        let j = self.answer_to(add(self.velocity, n, restitution * speed));
+        let normal = dot(j, n);
+        let across = add(j, n, -normal);
+        let limit = friction * normal;
+        if normal > T::ZERO && dot(across, across) <= limit * limit {
+            return (Impulse { normal, across, whole: j }, Outcome::Stuck);
         }
-        self.slide((T::ONE + restitution) * self.speed, friction)
+        self.slide((T::ONE + restitution) * speed, friction)
     }
 
     /// The same outside the caller: for what is rarely needed.
     #[inline(never)]
     pub fn solve_apart(&self, restitution: T, friction: T) -> (Impulse<T>, Outcome) {
-        self.solve(restitution, friction, false)
-    }
-
-    /// The impulse that stops the points on each other, if friction holds them.
-    #[inline(always)]
-    fn stick(&self, restitution: T, friction: T) -> Option<Impulse<T>> {
-        let n = self.normal;
-        let j = self.answer_to(add(self.velocity, n, restitution * self.speed));
-        let normal = dot(j, n);
-        let across = add(j, n, -normal);
-        let limit = friction * normal;
-        if normal > T::ZERO && dot(across, across) <= limit * limit {
-            Some(Impulse { normal, across, whole: j })
-        } else {
-            None
-        }
+        self.solve(restitution, friction)
     }
 
     /// -K^-1 v: once more for what is left, where K is ill-conditioned.

@@ -28,10 +28,10 @@ pub(super) fn rub<S: Scalar>(
     }
     let arms = [S::arm(r_a, &a.inv_inertia_world, a.exponent), S::arm(r_b, &b.inv_inertia_world, b.exponent)];
     let inverse_mass = S::contact_inverse_mass([a.inv_mass, b.inv_mass], [&arms[0], &arms[1]]);
-    answer_with(a, b, normal, [r_a, r_b], &arms, material, (velocity, inverse_mass), false)
+    answer_with(a, b, normal, [r_a, r_b], &arms, material, (velocity, inverse_mass), !S::SYMMETRIC)
 }
 
-/// The same for approaching points, from their velocity and K on; whether it is known that they slide.
+/// The same for approaching points, from their velocity and K on.
 #[cfg(all(feature = "f32", target_abi = "eabihf", multiply = "long"))]
 #[inline(always)]
 pub(super) fn answer<S: Scalar>(
@@ -41,10 +41,9 @@ pub(super) fn answer<S: Scalar>(
     r: [&Vec3<S>; 2],
     material: &Material<S>,
     met: (Block<S>, SymBlock<S>),
-    slides: bool,
 ) -> Impact<S> {
     let arms = [S::arm(r[0], &a.inv_inertia_world, a.exponent), S::arm(r[1], &b.inv_inertia_world, b.exponent)];
-    answer_with(a, b, normal, r, &arms, material, met, slides)
+    answer_with(a, b, normal, r, &arms, material, met, true)
 }
 
 #[inline(always)]
@@ -56,13 +55,13 @@ fn answer_with<S: Scalar>(
     arms: &[S::Arm; 2],
     material: &Material<S>,
     (velocity, inverse_mass): (Block<S>, SymBlock<S>),
-    slides: bool,
+    apart: bool,
 ) -> Impact<S> {
     let inv_masses = [a.inv_mass, b.inv_mass];
     let surface = [material.restitution(), material.friction()];
     let (j, outcome) = match S::contact_impulse(&inverse_mass, &velocity, &normal, surface) {
         Some((j, stuck)) => (j, if stuck { Outcome::Stuck } else { Outcome::Slid }),
-        None => match solve_scaled(&inverse_mass, &velocity, &normal, inv_masses, material, slides) {
+        None => match solve_scaled(&inverse_mass, &velocity, &normal, inv_masses, material, apart) {
             Ok(solved) => solved,
             Err(outcome) => return Impact::nothing(outcome),
         },
@@ -112,7 +111,7 @@ fn solve_scaled<S: Scalar>(
     normal: &Vec3<S::Unit>,
     inv_masses: [S::Scaled; 2],
     material: &Material<S>,
-    slides: bool,
+    apart: bool,
 ) -> Result<(BlockImpulse<S>, Outcome), Outcome> {
     let block = ContactBlock::new(inverse_mass, velocity, normal, inv_masses);
     let refuse = || Err(without_impulse(block.speed, block.trace()));
@@ -121,12 +120,9 @@ fn solve_scaled<S: Scalar>(
         return refuse();
     }
     let (restitution, friction) = (material.restitution().to_scaled(), material.friction().to_scaled());
-    // A float has no other way.
-    let (j, outcome) = if S::SYMMETRIC {
-        block.solve(restitution, friction, slides)
-    } else {
-        block.solve_apart(restitution, friction)
-    };
+    // Out of the way where another one is taken mostly.
+    let (j, outcome) =
+        if apart { block.solve_apart(restitution, friction) } else { block.solve(restitution, friction) };
     if !j.is_finite() {
         return refuse();
     }
