@@ -144,6 +144,7 @@ pub fn apply_impulse<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, contact: &Cont
 ///
 /// The impulse goes from the quotient to the velocities unrounded; only the report is rounded to the format.
 /// `restitution` is as for [`collision_impulse`].
+#[inline(always)]
 pub fn resolve_collision<S: Scalar>(
     a: &mut Body<S>,
     b: &mut Body<S>,
@@ -151,9 +152,14 @@ pub fn resolve_collision<S: Scalar>(
     restitution: S,
 ) -> Impact<S> {
     #[cfg(all(feature = "f32", target_abi = "eabihf", multiply = "long"))]
-    if let Some(impact) = fpu::resolve(a, b, contact, restitution) {
-        return impact;
+    if fpu::computes::<S>() {
+        return fpu::resolve(a, b, contact, restitution);
     }
+    strike(a, b, contact, restitution)
+}
+
+/// [`resolve_collision`] in any number type.
+fn strike<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, contact: &Contact<S>, restitution: S) -> Impact<S> {
     column!(let column = a, b, contact, contact.normal);
     let j = match column.impulse(a, b, restitution) {
         Ok(j) => j,

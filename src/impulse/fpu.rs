@@ -73,25 +73,29 @@ const _: () = {
     assert!(offset_of!(Contact<f32>, r_b) == 24);
 };
 
-/// A rebound without friction, in f32; nothing in other number types.
+/// Whether these functions are for that number type.
 #[inline(always)]
-pub(super) fn resolve<S: Scalar>(
-    a: &mut Body<S>,
-    b: &mut Body<S>,
-    contact: &Contact<S>,
-    restitution: S,
-) -> Option<Impact<S>> {
+pub(super) fn computes<S: Scalar>() -> bool {
+    TypeId::of::<S>() == TypeId::of::<f32>()
+}
+
+/// A rebound without friction, in f32.
+#[inline(always)]
+pub(super) fn resolve<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, contact: &Contact<S>, restitution: S) -> Impact<S> {
+    struck(a, b, contact, restitution).unwrap_or(Impact::nothing(Outcome::NotFinite))
+}
+
+/// The same; nothing in other number types.
+#[inline(always)]
+fn struck<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, contact: &Contact<S>, restitution: S) -> Option<Impact<S>> {
     let restitution = same(restitution)?;
     let (a, b) = ((a as &mut dyn Any).downcast_mut()?, (b as &mut dyn Any).downcast_mut()?);
     let contact = (contact as &dyn Any).downcast_ref()?;
     // SAFETY: the function reads and writes the velocities of two bodies, which are distinct, reads their inverse masses and
     // tensors and the contact, where the constants above say, and keeps to the calling convention.
     let code = unsafe { strike::strike(a, b, contact, restitution) };
-    if code <= 0 {
-        return Some(Impact::nothing(outcome(code)));
-    }
-    let normal_impulse = same(f32::from_bits(code as u32))?;
-    Some(Impact { normal_impulse, ..Impact::nothing(Outcome::Slid) })
+    let (outcome, bits) = if code > 0 { (Outcome::Slid, code as u32) } else { (outcome(code), 0) };
+    Some(Impact { normal_impulse: same(f32::from_bits(bits))?, ..Impact::nothing(outcome) })
 }
 
 /// What a function in assembly returns where there is no impulse: zero or less, as bits of an impulse are not.
@@ -132,12 +136,6 @@ const SLID: u32 = 2;
 /// They approach, and more is not known.
 const UNKNOWN: u32 = 3;
 
-/// Whether [`rub`] is for that number type.
-#[inline(always)]
-pub(super) fn computes<S: Scalar>() -> bool {
-    TypeId::of::<S>() == TypeId::of::<f32>()
-}
-
 /// A rebound with friction, in f32.
 #[inline(always)]
 pub(super) fn rub<S: Scalar>(
@@ -169,7 +167,7 @@ fn found<S: Scalar>(
     let friction = same(material.friction())?;
     let (a, b) = ((a as &mut dyn Any).downcast_mut()?, (b as &mut dyn Any).downcast_mut()?);
     let contact = (contact as &dyn Any).downcast_ref()?;
-    // SAFETY: as in `resolve`; `attempt` is written in the order of its fields, which are numbers side by side.
+    // SAFETY: as in `struck`; `attempt` is written in the order of its fields, which are numbers side by side.
     let code = unsafe { stick::stick(a, b, contact, attempt.as_mut_ptr(), restitution, friction) };
     let outcome = match code {
         STUCK => Outcome::Stuck,
