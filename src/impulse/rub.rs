@@ -28,7 +28,7 @@ pub(super) fn rub<S: Scalar>(
     }
     let arms = [S::arm(r_a, &a.inv_inertia_world, a.exponent), S::arm(r_b, &b.inv_inertia_world, b.exponent)];
     let inverse_mass = S::contact_inverse_mass([a.inv_mass, b.inv_mass], [&arms[0], &arms[1]]);
-    answer_with(a, b, normal, [r_a, r_b], &arms, material, (velocity, inverse_mass), !S::SYMMETRIC)
+    answer_with(a, b, normal, ([r_a, r_b], &arms), material, (velocity, inverse_mass), !S::SYMMETRIC)
 }
 
 /// The same for approaching points, from their velocity and K on.
@@ -43,7 +43,7 @@ pub(super) fn answer<S: Scalar>(
     met: (Block<S>, SymBlock<S>),
 ) -> Impact<S> {
     let arms = [S::arm(r[0], &a.inv_inertia_world, a.exponent), S::arm(r[1], &b.inv_inertia_world, b.exponent)];
-    answer_with(a, b, normal, r, &arms, material, met, true)
+    answer_with(a, b, normal, (r, &arms), material, met, true)
 }
 
 #[inline(always)]
@@ -51,8 +51,7 @@ fn answer_with<S: Scalar>(
     a: &mut Body<S>,
     b: &mut Body<S>,
     normal: Vec3<S::Unit>,
-    [r_a, r_b]: [&Vec3<S>; 2],
-    arms: &[S::Arm; 2],
+    ([r_a, r_b], arms): ([&Vec3<S>; 2], &[S::Arm; 2]),
     material: &Material<S>,
     (velocity, inverse_mass): (Block<S>, SymBlock<S>),
     apart: bool,
