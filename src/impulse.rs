@@ -26,6 +26,8 @@
 
 mod apply;
 mod energy;
+#[cfg(all(feature = "f32", target_abi = "eabihf", multiply = "long"))]
+mod fpu;
 mod friction;
 mod lever;
 mod rub;
@@ -142,12 +144,22 @@ pub fn apply_impulse<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, contact: &Cont
 ///
 /// The impulse goes from the quotient to the velocities unrounded; only the report is rounded to the format.
 /// `restitution` is as for [`collision_impulse`].
+#[inline(always)]
 pub fn resolve_collision<S: Scalar>(
     a: &mut Body<S>,
     b: &mut Body<S>,
     contact: &Contact<S>,
     restitution: S,
 ) -> Impact<S> {
+    #[cfg(all(feature = "f32", target_abi = "eabihf", multiply = "long"))]
+    if fpu::computes::<S>() {
+        return fpu::resolve(a, b, contact, restitution);
+    }
+    strike(a, b, contact, restitution)
+}
+
+/// [`resolve_collision`] in any number type.
+fn strike<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, contact: &Contact<S>, restitution: S) -> Impact<S> {
     column!(let column = a, b, contact, contact.normal);
     let j = match column.impulse(a, b, restitution) {
         Ok(j) => j,
@@ -178,6 +190,10 @@ pub fn resolve_collision_with_friction<S: Scalar>(
     let friction = material.friction();
     if friction == S::ZERO {
         return resolve_collision(a, b, contact, material.restitution());
+    }
+    #[cfg(all(feature = "f32", target_abi = "eabihf", multiply = "long"))]
+    if fpu::computes::<S>() {
+        return fpu::rub(a, b, contact, material);
     }
     // Where a change of sign is not a mirror of all roundings, one of the two orders of the bodies is computed for both.
     if !S::SYMMETRIC && contact.normal.is_mirrored() {

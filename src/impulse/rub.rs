@@ -27,12 +27,40 @@ pub(super) fn rub<S: Scalar>(
         return Impact::nothing(unmoved(a, b, velocity, normal, [r_a, r_b]));
     }
     let arms = [S::arm(r_a, &a.inv_inertia_world, a.exponent), S::arm(r_b, &b.inv_inertia_world, b.exponent)];
+    let inverse_mass = S::contact_inverse_mass([a.inv_mass, b.inv_mass], [&arms[0], &arms[1]]);
+    answer_with(a, b, normal, ([r_a, r_b], &arms), material, (velocity, inverse_mass), !S::SYMMETRIC)
+}
+
+/// The same for approaching points, from their velocity and K on.
+#[cfg(all(feature = "f32", target_abi = "eabihf", multiply = "long"))]
+#[inline(always)]
+pub(super) fn answer<S: Scalar>(
+    a: &mut Body<S>,
+    b: &mut Body<S>,
+    normal: Vec3<S::Unit>,
+    r: [&Vec3<S>; 2],
+    material: &Material<S>,
+    met: (Block<S>, SymBlock<S>),
+) -> Impact<S> {
+    let arms = [S::arm(r[0], &a.inv_inertia_world, a.exponent), S::arm(r[1], &b.inv_inertia_world, b.exponent)];
+    answer_with(a, b, normal, (r, &arms), material, met, true)
+}
+
+#[inline(always)]
+fn answer_with<S: Scalar>(
+    a: &mut Body<S>,
+    b: &mut Body<S>,
+    normal: Vec3<S::Unit>,
+    ([r_a, r_b], arms): ([&Vec3<S>; 2], &[S::Arm; 2]),
+    material: &Material<S>,
+    (velocity, inverse_mass): (Block<S>, SymBlock<S>),
+    apart: bool,
+) -> Impact<S> {
     let inv_masses = [a.inv_mass, b.inv_mass];
-    let inverse_mass = S::contact_inverse_mass(inv_masses, [&arms[0], &arms[1]]);
     let surface = [material.restitution(), material.friction()];
     let (j, outcome) = match S::contact_impulse(&inverse_mass, &velocity, &normal, surface) {
         Some((j, stuck)) => (j, if stuck { Outcome::Stuck } else { Outcome::Slid }),
-        None => match solve_scaled(&inverse_mass, &velocity, &normal, inv_masses, material) {
+        None => match solve_scaled(&inverse_mass, &velocity, &normal, inv_masses, material, apart) {
             Ok(solved) => solved,
             Err(outcome) => return Impact::nothing(outcome),
         },
@@ -48,7 +76,7 @@ pub(super) fn rub<S: Scalar>(
             }
         }
     };
-    let clipped = apply_block(a, b, [r_a, r_b], &arms, &Block { mantissas: j.whole, exponent: j.exponent });
+    let clipped = apply_block(a, b, [r_a, r_b], arms, &Block { mantissas: j.whole, exponent: j.exponent });
     let (normal_impulse, large) = S::from_block(j.normal, j.normal_exponent);
     let (x, large_x) = S::from_block(j.across.x, j.exponent);
     let (y, large_y) = S::from_block(j.across.y, j.exponent);
@@ -60,7 +88,7 @@ pub(super) fn rub<S: Scalar>(
 /// The outcome where the points do not approach.
 #[cold]
 #[inline(never)]
-fn unmoved<S: Scalar>(
+pub(super) fn unmoved<S: Scalar>(
     a: &Body<S>,
     b: &Body<S>,
     velocity: Block<S>,
@@ -82,6 +110,7 @@ fn solve_scaled<S: Scalar>(
     normal: &Vec3<S::Unit>,
     inv_masses: [S::Scaled; 2],
     material: &Material<S>,
+    apart: bool,
 ) -> Result<(BlockImpulse<S>, Outcome), Outcome> {
     let block = ContactBlock::new(inverse_mass, velocity, normal, inv_masses);
     let refuse = || Err(without_impulse(block.speed, block.trace()));
@@ -90,9 +119,9 @@ fn solve_scaled<S: Scalar>(
         return refuse();
     }
     let (restitution, friction) = (material.restitution().to_scaled(), material.friction().to_scaled());
-    // A float has no other way.
+    // Out of the way where another one is taken mostly.
     let (j, outcome) =
-        if S::SYMMETRIC { block.solve(restitution, friction) } else { block.solve_apart(restitution, friction) };
+        if apart { block.solve_apart(restitution, friction) } else { block.solve(restitution, friction) };
     if !j.is_finite() {
         return refuse();
     }

@@ -59,6 +59,9 @@ const TOSSED: &[&str] = &["--input", "{validation}/cube_tosses/cube_tosses_dev60
 /// The core's own arithmetic, under every fixed-point format alike.
 const PRODUCTS: &[Case] = &[Case { scalars: &[Scalar::I16F16], boards: Board::ALL, arguments: &[] }];
 
+/// The FPU's own arithmetic.
+const STRIKES: &[Case] = &[Case { scalars: &[Scalar::F32], boards: Board::ALL, arguments: &[] }];
+
 /// The self-test holds several scenes: in f64 one of them outgrows the RAM, and a third fixed format the flash.
 const SELFTEST: &[Case] = &[Case { scalars: SELFTESTED, boards: Board::ALL, arguments: &[] }];
 
@@ -74,6 +77,7 @@ pub fn cases(example: &str) -> &'static [Case] {
         "drawing" | "stack" => NOWHERE,
         "tosses" => TOSSES,
         "levers" | "products" => PRODUCTS,
+        "strikes" => STRIKES,
         "selftest" => SELFTEST,
         _ => EVERYWHERE,
     }
