@@ -27,8 +27,10 @@ pub(super) fn rub<S: Scalar>(
         return Impact::nothing(unmoved(a, b, velocity, normal, [r_a, r_b]));
     }
     let arms = [S::arm(r_a, &a.inv_inertia_world, a.exponent), S::arm(r_b, &b.inv_inertia_world, b.exponent)];
-    let inverse_mass = S::contact_inverse_mass([a.inv_mass, b.inv_mass], [&arms[0], &arms[1]]);
-    answer_with(a, b, normal, ([r_a, r_b], &arms), material, (velocity, inverse_mass), !S::SYMMETRIC)
+    let inv_masses = [a.inv_mass, b.inv_mass];
+    let inverse_mass = S::contact_inverse_mass(inv_masses, [&arms[0], &arms[1]]);
+    let met = (velocity, inverse_mass, inv_masses);
+    answer_with(a, b, normal, ([r_a, r_b], &arms), material, met, !S::SYMMETRIC)
 }
 
 /// The same for approaching points, from their velocity and K on.
@@ -40,9 +42,10 @@ pub(super) fn answer<S: Scalar>(
     normal: Vec3<S::Unit>,
     r: [&Vec3<S>; 2],
     material: &Material<S>,
-    met: (Block<S>, SymBlock<S>),
+    (velocity, inverse_mass): (Block<S>, SymBlock<S>),
 ) -> Impact<S> {
     let arms = [S::arm(r[0], &a.inv_inertia_world, a.exponent), S::arm(r[1], &b.inv_inertia_world, b.exponent)];
+    let met = (velocity, inverse_mass, [a.inv_mass, b.inv_mass]);
     answer_with(a, b, normal, (r, &arms), material, met, true)
 }
 
@@ -53,10 +56,9 @@ fn answer_with<S: Scalar>(
     normal: Vec3<S::Unit>,
     ([r_a, r_b], arms): ([&Vec3<S>; 2], &[S::Arm; 2]),
     material: &Material<S>,
-    (velocity, inverse_mass): (Block<S>, SymBlock<S>),
+    (velocity, inverse_mass, inv_masses): (Block<S>, SymBlock<S>, [S::Scaled; 2]),
     apart: bool,
 ) -> Impact<S> {
-    let inv_masses = [a.inv_mass, b.inv_mass];
     let surface = [material.restitution(), material.friction()];
     let (j, outcome) = match S::contact_impulse(&inverse_mass, &velocity, &normal, surface) {
         Some((j, stuck)) => (j, if stuck { Outcome::Stuck } else { Outcome::Slid }),
