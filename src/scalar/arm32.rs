@@ -131,10 +131,10 @@ pub(super) fn velocity<F>(
         return None;
     }
     let (m, n) = (minus(wa), minus(rb));
-    let moved = |i: usize| raised_difference(vb[i], va[i], frac as u32);
-    let x = sum(moved(0), [wb[1], wb[2]], [rb[2], n[1]], [m[1], wa[2]], [ra[2], ra[1]]);
-    let y = sum(moved(1), [wb[2], wb[0]], [rb[0], n[2]], [m[2], wa[0]], [ra[0], ra[2]]);
-    let z = sum(moved(2), [wb[0], wb[1]], [rb[1], n[0]], [m[0], wa[1]], [ra[1], ra[0]]);
+    let places = frac as u32;
+    let x = sum(raised_difference(vb[0], va[0], places), [wb[1], wb[2]], [rb[2], n[1]], [m[1], wa[2]], [ra[2], ra[1]]);
+    let y = sum(raised_difference(vb[1], va[1], places), [wb[2], wb[0]], [rb[0], n[2]], [m[2], wa[0]], [ra[0], ra[2]]);
+    let z = sum(raised_difference(vb[2], va[2], places), [wb[0], wb[1]], [rb[1], n[0]], [m[0], wa[1]], [ra[1], ra[0]]);
     Some(leading(x, y, z, frac.wrapping_mul(-2)))
 }
 
