@@ -1,4 +1,4 @@
-//! The same impulses in f32 on every core: thirty thousand contacts of ordinary and of extreme numbers, and hashes of what comes
+//! The same impulses in f32 on every core: 32,000 contacts of ordinary and of extreme numbers, and hashes of what comes
 //! of them. Where an impulse is written in the instructions of an FPU, they have to be those that the portable form gives.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 

@@ -2,6 +2,9 @@
 //!
 //! The compiler loads and stores one number at a time here, and spills what 32 registers do hold. Every bit is that of the
 //! portable form: `examples/strikes.rs` prints the same hashes of 32,000 contacts on all cores.
+//!
+//! Assembly of functions is that of the crate's module, which knows no FPU: each names the least that it needs. Assemblers keep to
+//! that up to the next `.fpu`, so assembly of one's own in the same firmware, for a larger FPU, has to name its own.
 #![allow(unsafe_code)]
 
 /// `$to = $a $d - $b $c`, all of them registers; `$to` may be `$a` or `$d`.

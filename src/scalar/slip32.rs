@@ -38,7 +38,7 @@ impl Slip32 {
         let tp = [times30(t, self.p[0]), times30(t, self.p[1])];
         let n = [self.q[0].wrapping_add(tp[0]), self.q[1].wrapping_add(tp[1])];
         let tn = [times30(t, n[0]), times30(t, n[1])];
-        // d(t N)/dt, no longer than q.
+        // d(t N)/dt, within 1.5 2^30.
         let m = [n[0].wrapping_add(tp[0]), n[1].wrapping_add(tp[1])];
         let rest = ONE.wrapping_sub(t);
         let (th, td) = (times30(t, self.half_trace), times30(t, self.determinant));

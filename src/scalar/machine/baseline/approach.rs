@@ -282,7 +282,8 @@ unsafe extern "C" fn approach_words(
     )
 }
 
-/// `-(1 + e) speed / k`, as that of `lever32.rs`; where the points part, the error says that and no more.
+/// `-(1 + e) speed / k`, as that of `lever32.rs`; where the points part, the error says that and no more: `without_impulse`
+/// looks at the speed first.
 #[inline(always)]
 pub fn approach_impulse<F: LeEqU32>(
     factor: u32,

@@ -15,7 +15,8 @@ use crate::scalar::scaled32::Scaled32;
 
 /// A component of x, at `$at` from r0, and d k / 2^(32 + down) in r2; to `$far` where they leave the range.
 ///
-/// With d = 2^16 d1 + d0, d0 of either sign, the middle products fit a word together: |d| < 2^30.5 and |k| < 2^30.
+/// With d = 2^16 d1 + d0, d0 of either sign, the middle products fit a word together: |d| < 2^30.5 and |k| < 2^30, or |d| <= 2^30
+/// and |k| < 2^31.
 macro_rules! added {
     ($at:literal, $far:literal) => {
         concat!(

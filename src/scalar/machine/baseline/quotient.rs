@@ -27,7 +27,7 @@ macro_rules! reciprocal {
 pub fn reciprocal(d: u32) -> u32 {
     let x;
     // SAFETY: a call with the number in the register where the function takes it; it leaves memory alone but for what it pushes
-    // and a table that it reads, and what it changes is declared.
+    // and a table that nothing writes, and what it changes is declared.
     unsafe {
         asm!(
             "bl {words}",

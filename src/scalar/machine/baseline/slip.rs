@@ -6,7 +6,8 @@ use core::ptr::from_ref;
 
 use crate::scalar::slip32::Slip32;
 
-/// `r0 k / 2^30` cut off, for a k not negative in halves in r6 and r7. |r0| and k are at most 2^30: the middle products fit a word.
+/// `r0 k / 2^30` cut off, for a k not negative in halves in r6 and r7. |r0| and k are at most 2^30 and a few
+/// units: the middle products fit a word.
 macro_rules! times {
     () => {
         concat!(
