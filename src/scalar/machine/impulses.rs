@@ -11,8 +11,8 @@ use crate::scalar::scaled32::Scaled32;
 use crate::scalar::stored32::add_scaled;
 use crate::scalar::wide::{bits_of, narrow};
 
-/// `-(1 + e) speed / k` where the points approach each other, or else two numbers that
-/// [`without_impulse`](crate::impulse) takes as it takes the speed and k.
+/// `-(1 + e) speed / k` where the points approach each other, or else two numbers of which
+/// `impulse/lever.rs` says what it says of the speed and k.
 #[inline(always)]
 pub fn approach_impulse<F: LeEqU32>(
     factor: u32,
