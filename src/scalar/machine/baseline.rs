@@ -34,6 +34,16 @@ macro_rules! halves {
     };
 }
 
+/// How many leading digits r4, r5 and r6 have in common with their signs, in r0; 31 at most.
+macro_rules! zeros {
+    () => {
+        concat!(
+            "asrs r0, r4, #31\n eors r0, r4\n asrs r1, r5, #31\n eors r1, r5\n orrs r0, r1\n",
+            "asrs r1, r6, #31\n eors r1, r6\n orrs r0, r1\n movs r1, #1\n orrs r0, r1\n bl {zeros_of}\n",
+        )
+    };
+}
+
 /// `r0 d1 - r1 d0` in r0 and r4, of words at `$r0` and `$r1` of the stack and two factors that `$of` loads.
 ///
 /// Lower halves are not negative. Of the middle products only two fit a common word: |d| <= 2^30.
