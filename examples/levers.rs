@@ -110,7 +110,7 @@ impl Words {
         let size = self.next() % 16;
         let mut inverse = || S::Scaled::from_parts(self.next() >> 4 & i32::MAX | 1 << 26, size - 28);
         let moments = [inverse(), inverse(), inverse()];
-        let mass = S::Scaled::from_parts(self.next() & (1 << 27) - 1 | 1 << 27, -26 - size);
+        let mass = S::Scaled::from_parts(self.next() & ((1 << 27) - 1) | 1 << 27, -26 - size);
         let mut body = match MassProperties::from_inverses(mass, moments) {
             Ok(mass) if !turn.is_multiple_of(8) => Body::dynamic(mass),
             _ => Body::immovable(),
