@@ -58,6 +58,7 @@ macro_rules! column {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[repr(u8)]
 pub enum Outcome {
     /// The bodies do not approach each other at the point: nothing was changed.
     Separating,
@@ -77,13 +78,14 @@ pub enum Outcome {
 /// What a contact did, and with which impulse: on B as given here, on A the opposite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[repr(C)]
 pub struct Impact<S> {
-    /// The kind of event.
-    pub outcome: Outcome,
     /// The impulse along the normal, never negative.
     pub normal_impulse: S,
     /// The impulse of friction, across the normal, in the world's frame.
     pub friction_impulse: Vec3<S>,
+    /// The kind of event.
+    pub outcome: Outcome,
     /// A velocity or a reported impulse met the end of the format and stayed there.
     pub saturated: bool,
 }
@@ -197,10 +199,10 @@ pub fn resolve_collision_with_friction<S: Scalar>(
     }
     // Where a change of sign is not a mirror of all roundings, one of the two orders of the bodies is computed for both.
     if !S::SYMMETRIC && contact.normal.is_mirrored() {
-        let impact = rub(b, a, (-contact.normal).get(), [&contact.r_b, &contact.r_a], material);
+        let impact = rub(b, a, (-contact.normal).get(), [&contact.r_b, &contact.r_a], material, true);
         return Impact { friction_impulse: -impact.friction_impulse, ..impact };
     }
-    rub(a, b, contact.normal.get(), [&contact.r_a, &contact.r_b], material)
+    rub(a, b, contact.normal.get(), [&contact.r_a, &contact.r_b], material, !S::SYMMETRIC)
 }
 
 pub use crate::scalar::MAX_SLIP_ITERATIONS;

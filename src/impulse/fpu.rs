@@ -52,23 +52,28 @@ mod slide;
 mod stick;
 mod strike;
 
-use core::any::{Any, TypeId};
-use core::mem::{MaybeUninit, offset_of};
+use core::any::TypeId;
+use core::mem::{offset_of, transmute};
 
-use super::lever::reason;
-use super::rub::{answer, unmoved};
+use super::rub::rub as portable_rub;
 use super::{Impact, Outcome};
 use crate::body::Body;
 use crate::contact::{Contact, Material, RestitutionLaw};
-use crate::math::{Block, SymBlock, SymMat3, Vec3};
 use crate::scalar::Scalar;
 
 /// Where a body's velocities begin, and where its inverse mass and inertia do.
 const MOTION: usize = offset_of!(Body<f32>, linear_velocity);
 const INVERSE: usize = offset_of!(Body<f32>, inv_mass);
 
-/// What is loaded at once lies side by side.
+/// How long an impact's impulses are, and where it says what happened, from their end on.
+const IMPULSES: usize = 16;
+const OUTCOME: usize = offset_of!(Impact<f32>, outcome) - IMPULSES;
+
+/// What is loaded or stored at once lies side by side.
 const _: () = {
+    assert!(offset_of!(Impact<f32>, normal_impulse) == 0);
+    assert!(offset_of!(Impact<f32>, friction_impulse) + 12 == IMPULSES);
+    assert!(offset_of!(Impact<f32>, saturated) == IMPULSES + OUTCOME + 1);
     assert!(offset_of!(Body<f32>, angular_velocity) == MOTION + 12);
     assert!(offset_of!(Body<f32>, inv_inertia_world) == INVERSE + 4);
     assert!(offset_of!(Contact<f32>, normal) == 0);
@@ -82,64 +87,20 @@ pub(super) fn computes<S: Scalar>() -> bool {
     TypeId::of::<S>() == TypeId::of::<f32>()
 }
 
-/// A rebound without friction, in f32.
+/// A rebound without friction, in f32: elsewhere nothing is done.
 #[inline(always)]
 pub(super) fn resolve<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, contact: &Contact<S>, restitution: S) -> Impact<S> {
-    struck(a, b, contact, restitution).unwrap_or(Impact::nothing(Outcome::NotFinite))
-}
-
-/// The same; nothing in other number types.
-#[inline(always)]
-fn struck<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, contact: &Contact<S>, restitution: S) -> Option<Impact<S>> {
-    let restitution = same(restitution)?;
-    let (a, b) = ((a as &mut dyn Any).downcast_mut()?, (b as &mut dyn Any).downcast_mut()?);
-    let contact = (contact as &dyn Any).downcast_ref()?;
-    // SAFETY: the function reads and writes the velocities of two bodies, which are distinct, reads their inverse masses and
-    // tensors and the contact, where the constants above say, and keeps to the calling convention.
-    let code = unsafe { strike::strike(a, b, contact, restitution) };
-    let (outcome, bits) = if code > 0 { (Outcome::Slid, code as u32) } else { (outcome(code), 0) };
-    Some(Impact { normal_impulse: same(f32::from_bits(bits))?, ..Impact::nothing(outcome) })
-}
-
-/// What a function in assembly returns where there is no impulse: zero or less, as bits of an impulse are not.
-#[cold]
-extern "C" fn refused(speed: f32, k: f32) -> i32 {
-    (reason(speed, k) as i32).wrapping_neg()
-}
-
-/// The outcome that [`refused`] gave. (All of them in order: the compiler then looks nothing up.)
-#[inline(always)]
-fn outcome(code: i32) -> Outcome {
-    match code.wrapping_neg() {
-        0 => Outcome::Separating,
-        1 => Outcome::Stuck,
-        2 => Outcome::Slid,
-        3 => Outcome::Immovable,
-        _ => Outcome::NotFinite,
+    type Strike<S> = unsafe extern "C" fn(&mut Body<S>, &mut Body<S>, &Contact<S>, S) -> Impact<S>;
+    if !computes::<S>() {
+        return Impact::nothing(Outcome::NotFinite);
     }
+    // SAFETY: S is f32, so both types of function are the same. It reads and writes the velocities of two bodies, which are
+    // distinct, reads their inverse masses and tensors and the contact, where the constants above say, writes the impact, and
+    // keeps to the calling convention.
+    unsafe { transmute::<Strike<f32>, Strike<S>>(strike::strike)(a, b, contact, restitution) }
 }
 
-/// What [`stick::stick`] finds out.
-#[repr(C)]
-struct Attempt {
-    velocity: Vec3<f32>,
-    /// K
-    inverse_mass: SymMat3<f32>,
-    /// Where there is one, the impulse along the normal and across it.
-    normal: f32,
-    across: Vec3<f32>,
-}
-
-/// The points do not approach each other.
-const SEPARATING: u32 = 0;
-/// They stick; the impulse is applied.
-const STUCK: u32 = 1;
-/// They slide; the impulse is applied.
-const SLID: u32 = 2;
-/// They approach, and more is not known.
-const UNKNOWN: u32 = 3;
-
-/// A rebound with friction, in f32.
+/// A rebound with friction, in f32: elsewhere nothing is done.
 #[inline(always)]
 pub(super) fn rub<S: Scalar>(
     a: &mut Body<S>,
@@ -147,69 +108,36 @@ pub(super) fn rub<S: Scalar>(
     contact: &Contact<S>,
     material: &Material<S>,
 ) -> Impact<S> {
-    let mut attempt = MaybeUninit::<Attempt>::uninit();
-    match found(a, b, contact, material, &mut attempt) {
-        Some(Ok(impact)) => impact,
-        Some(Err(code)) => without(a, b, contact, material, &attempt, code),
-        None => Impact::nothing(Outcome::NotFinite),
+    type Stick<S> = unsafe extern "C" fn(&mut Body<S>, &mut Body<S>, &Contact<S>, S, S) -> Impact<S>;
+    if !computes::<S>() {
+        return Impact::nothing(Outcome::NotFinite);
+    }
+    // The impulse found at once is not yet the one to apply under the other law.
+    if material.law != RestitutionLaw::Newton {
+        return portably(a, b, contact, material);
+    }
+    // SAFETY: as in `resolve`.
+    unsafe {
+        let stick = transmute::<Stick<f32>, Stick<S>>(stick::stick);
+        stick(a, b, contact, material.restitution(), material.friction())
     }
 }
 
-/// The impact where it is found at once, else which code; nothing in other number types.
-#[inline(always)]
-fn found<S: Scalar>(
-    a: &mut Body<S>,
-    b: &mut Body<S>,
-    contact: &Contact<S>,
-    material: &Material<S>,
-    attempt: &mut MaybeUninit<Attempt>,
-) -> Option<Result<Impact<S>, u32>> {
-    // Under the other law the impulse found here is not yet the one to apply: with a NaN none is found.
-    let restitution = same(material.restitution())?;
-    let restitution = if material.law == RestitutionLaw::Newton { restitution } else { f32::NAN };
-    let friction = same(material.friction())?;
-    let (a, b) = ((a as &mut dyn Any).downcast_mut()?, (b as &mut dyn Any).downcast_mut()?);
-    let contact = (contact as &dyn Any).downcast_ref()?;
-    // SAFETY: as in `struck`; `attempt` is written in the order of its fields, which are numbers side by side.
-    let code = unsafe { stick::stick(a, b, contact, attempt.as_mut_ptr(), restitution, friction) };
-    let outcome = match code {
-        STUCK => Outcome::Stuck,
-        SLID => Outcome::Slid,
-        _ => return Some(Err(code)),
-    };
-    // SAFETY: written with these codes.
-    let (normal, across) = unsafe { ((*attempt.as_ptr()).normal, (*attempt.as_ptr()).across) };
-    let (normal_impulse, friction_impulse) = (same(normal)?, same(across)?);
-    Some(Ok(Impact { normal_impulse, friction_impulse, ..Impact::nothing(outcome) }))
+/// What the functions in assembly leave to the portable form.
+#[cold]
+extern "C" fn portable(
+    a: &mut Body<f32>,
+    b: &mut Body<f32>,
+    contact: &Contact<f32>,
+    restitution: f32,
+    friction: f32,
+) -> Impact<f32> {
+    portably(a, b, contact, &Material::from_valid(restitution, friction))
 }
 
-/// The rest of it where no impulse was found. (Outside the caller, which then saves fewer registers.)
+/// The portable form.
+#[cold]
 #[inline(never)]
-fn without<S: Scalar>(
-    a: &mut Body<S>,
-    b: &mut Body<S>,
-    contact: &Contact<S>,
-    material: &Material<S>,
-    attempt: &MaybeUninit<Attempt>,
-    code: u32,
-) -> Impact<S> {
-    let (normal, r) = (contact.normal.get(), [&contact.r_a, &contact.r_b]);
-    let attempt = attempt.as_ptr();
-    // SAFETY: always written.
-    let velocity = Block::<f32> { mantissas: unsafe { (*attempt).velocity }, exponent: () };
-    // In other number types nobody comes here.
-    let Some(velocity) = same(velocity) else { return Impact::nothing(Outcome::NotFinite) };
-    if code == SEPARATING {
-        return Impact::nothing(unmoved(a, b, velocity, normal, r));
-    }
-    // SAFETY: written where the points approach each other.
-    let inverse_mass = SymBlock::<f32> { mantissas: unsafe { (*attempt).inverse_mass }, exponent: () };
-    let Some(inverse_mass) = same(inverse_mass) else { return Impact::nothing(Outcome::NotFinite) };
-    answer(a, b, normal, r, material, (velocity, inverse_mass))
-}
-
-/// The same value, if the types are the same.
-#[inline(always)]
-fn same<T: Copy + 'static, U: Copy + 'static>(x: T) -> Option<U> {
-    (&x as &dyn Any).downcast_ref().copied()
+fn portably<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, contact: &Contact<S>, material: &Material<S>) -> Impact<S> {
+    portable_rub(a, b, contact.normal.get(), [&contact.r_a, &contact.r_b], material, true)
 }

@@ -48,12 +48,6 @@ impl<S: Scalar> Column<'_, S> {
 #[cold]
 #[inline(never)]
 pub(super) fn without_impulse<T: Scaled>(speed: T, k: T) -> Outcome {
-    reason(speed, k)
-}
-
-/// The same in the caller: for one that is cold itself.
-#[inline(always)]
-pub(super) fn reason<T: Scaled>(speed: T, k: T) -> Outcome {
     if !(speed.is_finite() && k.is_finite()) {
         Outcome::NotFinite
     } else if speed >= T::ZERO {

@@ -10,13 +10,14 @@ use crate::contact::{Material, RestitutionLaw};
 use crate::math::{Block, BlockImpulse, SymBlock, Vec3};
 use crate::scalar::{Scalar, Scaled};
 
-/// An impact with friction.
+/// An impact with friction. `apart`: the solution by scaled numbers is rarely needed, and is kept out of the way.
 pub(super) fn rub<S: Scalar>(
     a: &mut Body<S>,
     b: &mut Body<S>,
     normal: Vec3<S::Unit>,
     [r_a, r_b]: [&Vec3<S>; 2],
     material: &Material<S>,
+    apart: bool,
 ) -> Impact<S> {
     let velocity = S::contact_velocity(
         [&a.linear_velocity, &b.linear_velocity],
@@ -29,36 +30,6 @@ pub(super) fn rub<S: Scalar>(
     let arms = [S::arm(r_a, &a.inv_inertia_world, a.exponent), S::arm(r_b, &b.inv_inertia_world, b.exponent)];
     let inv_masses = [a.inv_mass, b.inv_mass];
     let inverse_mass = S::contact_inverse_mass(inv_masses, [&arms[0], &arms[1]]);
-    let met = (velocity, inverse_mass, inv_masses);
-    answer_with(a, b, normal, ([r_a, r_b], &arms), material, met, !S::SYMMETRIC)
-}
-
-/// The same for approaching points, from their velocity and K on.
-#[cfg(all(feature = "f32", target_abi = "eabihf", multiply = "long"))]
-#[inline(always)]
-pub(super) fn answer<S: Scalar>(
-    a: &mut Body<S>,
-    b: &mut Body<S>,
-    normal: Vec3<S::Unit>,
-    r: [&Vec3<S>; 2],
-    material: &Material<S>,
-    (velocity, inverse_mass): (Block<S>, SymBlock<S>),
-) -> Impact<S> {
-    let arms = [S::arm(r[0], &a.inv_inertia_world, a.exponent), S::arm(r[1], &b.inv_inertia_world, b.exponent)];
-    let met = (velocity, inverse_mass, [a.inv_mass, b.inv_mass]);
-    answer_with(a, b, normal, (r, &arms), material, met, true)
-}
-
-#[inline(always)]
-fn answer_with<S: Scalar>(
-    a: &mut Body<S>,
-    b: &mut Body<S>,
-    normal: Vec3<S::Unit>,
-    ([r_a, r_b], arms): ([&Vec3<S>; 2], &[S::Arm; 2]),
-    material: &Material<S>,
-    (velocity, inverse_mass, inv_masses): (Block<S>, SymBlock<S>, [S::Scaled; 2]),
-    apart: bool,
-) -> Impact<S> {
     let surface = [material.restitution(), material.friction()];
     let (j, outcome) = match S::contact_impulse(&inverse_mass, &velocity, &normal, surface) {
         Some((j, stuck)) => (j, if stuck { Outcome::Stuck } else { Outcome::Slid }),
@@ -78,7 +49,7 @@ fn answer_with<S: Scalar>(
             }
         }
     };
-    let clipped = apply_block(a, b, [r_a, r_b], arms, &Block { mantissas: j.whole, exponent: j.exponent });
+    let clipped = apply_block(a, b, [r_a, r_b], &arms, &Block { mantissas: j.whole, exponent: j.exponent });
     let (normal_impulse, large) = S::from_block(j.normal, j.normal_exponent);
     let (x, large_x) = S::from_block(j.across.x, j.exponent);
     let (y, large_y) = S::from_block(j.across.y, j.exponent);
@@ -121,7 +92,6 @@ fn solve_scaled<S: Scalar>(
         return refuse();
     }
     let (restitution, friction) = (material.restitution().to_scaled(), material.friction().to_scaled());
-    // Out of the way where another one is taken mostly.
     let (j, outcome) =
         if apart { block.solve_apart(restitution, friction) } else { block.solve(restitution, friction) };
     if !j.is_finite() {

@@ -3,7 +3,8 @@
 
 use core::arch::naked_asm;
 
-use super::{Attempt, INVERSE, MOTION};
+use super::super::{Impact, Outcome};
+use super::{INVERSE, MOTION};
 use crate::body::Body;
 use crate::contact::Contact;
 
@@ -40,35 +41,33 @@ macro_rules! inverse_mass {
 /// The bits of the smallest normal number: of limits, those from there on are within the reach of constants.
 const LEAST: u32 = f32::MIN_POSITIVE.to_bits();
 
-/// Puts velocity and K into `attempt`. Where the points approach, applies the impulse and puts that there, too.
-/// Returns which it was: [`SEPARATING`](super::SEPARATING), with the velocity alone, [`STUCK`](super::STUCK),
-/// [`SLID`](super::SLID), or [`UNKNOWN`](super::UNKNOWN) for what it leaves to the portable form.
+/// Applies the impulse where the points approach, and puts it into `impact`. What it does not find out it leaves to
+/// [`portable`](super::portable): why the points do not approach, and what is beyond the limits below.
 ///
-/// What lies within the limits below is finite, and has no pivot that the portable form would raise further: each is
+/// What lies within them is finite, and has no pivot that the portable form would raise further: each is
 /// 1/m_a + 1/m_b at least, which is no less than the trace's last digit.
 #[unsafe(naked)]
 pub(super) unsafe extern "C" fn stick(
     a: &mut Body<f32>,
     b: &mut Body<f32>,
     contact: &Contact<f32>,
-    attempt: *mut Attempt,
     restitution: f32,
     friction: f32,
-) -> u32 {
+) -> Impact<f32> {
     naked_asm!(
         ".fpu fpv4-sp-d16",
         "vpush {{s16-s31}}",
         // s0: e. s1: mu. s2-s4: n. s5-s7: r_a. s8-s10: r_b.
-        "vldm r2, {{s2-s10}}",
+        "vldm r3, {{s2-s10}}",
         // s11-s13: v_a. s14-s16: w_a. s17-s19: w_a x r_a.
-        "adds r0, r0, #{motion}",
-        "vldm r0, {{s11-s16}}",
+        "adds r1, r1, #{motion}",
+        "vldm r1, {{s11-s16}}",
         minor!("s17", "s15", "s7", "s16", "s6"),
         minor!("s18", "s16", "s5", "s14", "s7"),
         minor!("s19", "s14", "s6", "s15", "s5"),
         // s20-s22: v_b. s23-s25: w_b. s26-s28: w_b x r_b.
-        "adds r1, r1, #{motion}",
-        "vldm r1, {{s20-s25}}",
+        "adds r2, r2, #{motion}",
+        "vldm r2, {{s20-s25}}",
         minor!("s26", "s24", "s10", "s25", "s9"),
         minor!("s27", "s25", "s8", "s23", "s10"),
         minor!("s28", "s23", "s9", "s24", "s8"),
@@ -83,17 +82,17 @@ pub(super) unsafe extern "C" fn stick(
         "vadd.f32 s12, s12, s27",
         "vadd.f32 s13, s13, s28",
         dot!("s14", ["s11", "s12", "s13"], ["s2", "s3", "s4"]),
-        "vstm r3!, {{s11-s13}}",
+        "vpush {{s11-s13}}",
         "vcmp.f32 s14, #0.0",
         "vmrs APSR_nzcv, fpscr",
         "bpl 5f",
         // s15: 1/m_a. s16-s21: I_a^-1. s23-s28: A's share of K.
-        "add r12, r0, #{inverse}",
+        "add r12, r1, #{inverse}",
         "vldm r12, {{s15-s21}}",
         inverse_mass!(["s16", "s17", "s18", "s19", "s20", "s21"], ["s5", "s6", "s7"],
             "s23" "", "s24" "", "s26" "", "s25" "", "s27" "", "s28" ""),
         // s16: 1/m_b. s17-s22: I_b^-1. s23-s28: both shares.
-        "add r12, r1, #{inverse}",
+        "add r12, r2, #{inverse}",
         "vldm r12, {{s16-s22}}",
         inverse_mass!(["s17", "s18", "s19", "s20", "s21", "s22"], ["s8", "s9", "s10"],
             "s31" "vadd.f32 s23, s23, s31\n ", "s31" "vadd.f32 s24, s24, s31\n ", "s29" "vadd.f32 s26, s26, s29\n ",
@@ -103,7 +102,7 @@ pub(super) unsafe extern "C" fn stick(
         "vadd.f32 s23, s15, s23",
         "vadd.f32 s26, s15, s26",
         "vadd.f32 s28, s15, s28",
-        "vstm r3!, {{s23-s28}}",
+        "vpush {{s23-s28}}",
         "vadd.f32 s16, s23, s26",
         "vadd.f32 s16, s16, s28",
         // K = L D L^T. s18, s21, s29: 1/D. s19, s20, s22: L, 10, 20, 21.
@@ -166,28 +165,30 @@ pub(super) unsafe extern "C" fn stick(
         "vcmp.f32 s30, s31",
         "vmrs APSR_nzcv, fpscr",
         "bpl 3f",
-        "vstm r3, {{s26-s29}}",
-        "movs r3, #{stuck}",
+        "vstm r0!, {{s26-s29}}",
+        "mov r12, #{stuck}",
+        "strh r12, [r0, #{outcome}]",
+        "add sp, #36",
         "b {kick}",
         "3:",
         "bls 4f",
         "b {slide}",
         "4:",
-        "movs r0, #{unknown}",
-        "2:",
-        "vpop {{s16-s31}}",
-        "bx lr",
+        "add sp, #24",
         "5:",
-        "movs r0, #{separating}",
-        "b 2b",
+        "add sp, #12",
+        "vpop {{s16-s31}}",
+        "subs r1, r1, #{motion}",
+        "subs r2, r2, #{motion}",
+        "b {portable}",
         motion = const MOTION,
         inverse = const INVERSE - MOTION,
         least = const LEAST,
         well_conditioned = const 64.0f32.to_bits() - LEAST,
         moderate = const 1.8446744e19f32.to_bits() - LEAST,
-        separating = const super::SEPARATING,
-        stuck = const super::STUCK,
-        unknown = const super::UNKNOWN,
+        outcome = const super::OUTCOME,
+        stuck = const Outcome::Stuck as u32,
+        portable = sym super::portable,
         slide = sym super::slide::slide,
         kick = sym super::kick::kick,
     )

@@ -3,11 +3,12 @@
 
 use core::arch::naked_asm;
 
-use super::{INVERSE, MOTION, refused};
+use super::super::{Impact, Outcome};
+use super::{INVERSE, MOTION, OUTCOME};
 use crate::body::Body;
 use crate::contact::Contact;
 
-/// The bits of the impulse; where there is none, nothing is changed, and it is what [`refused`] returns.
+/// Applies the impulse and puts it into `impact`; where there is none, nothing is changed, and the outcome says why.
 ///
 /// As A sees it, the normal n points the other way: its lever has c = n x r, and is pushed against n.
 #[unsafe(naked)]
@@ -16,17 +17,17 @@ pub(super) unsafe extern "C" fn strike(
     b: &mut Body<f32>,
     contact: &Contact<f32>,
     restitution: f32,
-) -> i32 {
+) -> Impact<f32> {
     naked_asm!(
         ".fpu fpv4-sp-d16",
         "vpush {{s16-s31}}",
         // s9: 1 + e. s0-s2: n. s3-s5: r_a. s6-s8: r_b.
         "vmov.f32 s9, #1.0",
         "vadd.f32 s9, s9, s0",
-        "vldm r2, {{s0-s8}}",
+        "vldm r3, {{s0-s8}}",
         // s10: 1/m_a. s11-s16: I_a^-1, xx, xy, xz, yy, yz, zz. s17-s19: c_a.
-        "add r3, r0, #{inverse}",
-        "vldm r3, {{s10-s16}}",
+        "add r12, r1, #{inverse}",
+        "vldm r12, {{s10-s16}}",
         "vmul.f32 s17, s1, s5",
         "vmls.f32 s17, s2, s4",
         "vmul.f32 s18, s2, s3",
@@ -47,14 +48,14 @@ pub(super) unsafe extern "C" fn strike(
         "vmla.f32 s20, s18, s4",
         "vmla.f32 s20, s19, s5",
         // s21-s23: v_a. s24-s26: w_a. s27: w_a . c_a.
-        "adds r0, r0, #{motion}",
-        "vldm r0, {{s21-s26}}",
+        "adds r1, r1, #{motion}",
+        "vldm r1, {{s21-s26}}",
         "vmul.f32 s27, s24, s17",
         "vmla.f32 s27, s25, s18",
         "vmla.f32 s27, s26, s19",
         // s11: 1/m_b. s12-s17: I_b^-1. s18, s19, s28: c_b.
-        "add r3, r1, #{inverse}",
-        "vldm r3, {{s11-s17}}",
+        "add r12, r2, #{inverse}",
+        "vldm r12, {{s11-s17}}",
         "vmul.f32 s18, s7, s2",
         "vmls.f32 s18, s8, s1",
         "vmul.f32 s19, s8, s0",
@@ -79,8 +80,8 @@ pub(super) unsafe extern "C" fn strike(
         "vadd.f32 s29, s10, s11",
         "vadd.f32 s20, s29, s20",
         // s12-s14: v_b. s15-s17: w_b. s27: the spins' share of the speed.
-        "adds r1, r1, #{motion}",
-        "vldm r1, {{s12-s17}}",
+        "adds r2, r2, #{motion}",
+        "vldm r2, {{s12-s17}}",
         "vmul.f32 s29, s15, s18",
         "vmla.f32 s29, s16, s19",
         "vmla.f32 s29, s17, s28",
@@ -93,12 +94,12 @@ pub(super) unsafe extern "C" fn strike(
         "vmla.f32 s29, s30, s1",
         "vmla.f32 s29, s31, s2",
         "vadd.f32 s29, s29, s27",
-        // s9, r2: j, which is an impulse if it is above zero and finite.
+        // s9, r3: j, which is an impulse if it is above zero and finite.
         "vnmul.f32 s9, s9, s29",
         "vdiv.f32 s9, s9, s20",
-        "vmov r2, s9",
-        "cbz r2, 2f",
-        "cmp r2, #{infinity}",
+        "vmov r3, s9",
+        "cbz r3, 2f",
+        "cmp r3, #{infinity}",
         "bhs 2f",
         "vmul.f32 s10, s10, s9",
         "vmls.f32 s21, s0, s10",
@@ -107,7 +108,7 @@ pub(super) unsafe extern "C" fn strike(
         "vmla.f32 s24, s3, s9",
         "vmla.f32 s25, s4, s9",
         "vmla.f32 s26, s5, s9",
-        "vstm r0, {{s21-s26}}",
+        "vstm r1, {{s21-s26}}",
         "vmul.f32 s11, s11, s9",
         "vmla.f32 s12, s0, s11",
         "vmla.f32 s13, s1, s11",
@@ -115,18 +116,41 @@ pub(super) unsafe extern "C" fn strike(
         "vmla.f32 s15, s6, s9",
         "vmla.f32 s16, s7, s9",
         "vmla.f32 s17, s8, s9",
-        "vstm r1, {{s12-s17}}",
-        "mov r0, r2",
+        "vstm r2, {{s12-s17}}",
+        "movs r2, #{slid}",
+        "3:",
+        "movs r1, #0",
+        "strd r3, r1, [r0], #8",
+        "strd r1, r1, [r0], #8",
+        "strh r2, [r0, #{outcome}]",
         "vpop {{s16-s31}}",
         "bx lr",
+        // r2: why there is no impulse. r3: none.
         "2:",
-        "vmov.f32 s0, s29",
-        "vmov.f32 s1, s20",
-        "vpop {{s16-s31}}",
-        "b {refused}",
+        "movs r3, #0",
+        "movs r2, #{not_finite}",
+        "vsub.f32 s0, s29, s29",
+        "vsub.f32 s1, s20, s20",
+        "vcmp.f32 s0, s1",
+        "vmrs APSR_nzcv, fpscr",
+        "bne 3b",
+        "vcmp.f32 s29, #0.0",
+        "vmrs APSR_nzcv, fpscr",
+        "itt pl",
+        "movpl r2, #{separating}",
+        "bpl 3b",
+        "vcmp.f32 s20, #0.0",
+        "vmrs APSR_nzcv, fpscr",
+        "it le",
+        "movle r2, #{immovable}",
+        "b 3b",
         motion = const MOTION,
         inverse = const INVERSE,
+        not_finite = const Outcome::NotFinite as u32,
+        separating = const Outcome::Separating as u32,
+        immovable = const Outcome::Immovable as u32,
+        slid = const Outcome::Slid as u32,
+        outcome = const OUTCOME,
         infinity = const f32::INFINITY.to_bits(),
-        refused = sym refused,
     )
 }
