@@ -106,7 +106,9 @@ impl Contact32 {
             return None;
         }
         let (k11, k12) = (dot30(k_1, t1), dot30(k_1, t2));
-        let k22 = dot30(self.half_change(t2), t2);
+        // What is left of the trace. Sums may wrap; what is left fits.
+        let [xx, _, _, yy, _, zz] = self.inverse_mass;
+        let k22 = (xx >> 1).wrapping_add(yy >> 1).wrapping_add(zz >> 1).wrapping_sub(nn).wrapping_sub(k11);
 
         // K_nt / K_nn in Q5.27.
         let nn_zeros = leading_zeros(nn as u32);

@@ -58,21 +58,30 @@ impl Slip32 {
         machine::excess(self, t)
     }
 
-    /// A first guess: Newton's step from t = 0, with the length of q to a few percent.
+    /// A first guess: t = load / (slope + bend t) for the slope and half the second derivative at t = 0, and the t on the right
+    /// without the bend. Where a sum of these wraps, the guess is a bad one, and the search bisects.
     #[inline(always)]
     fn guess(&self) -> i32 {
-        let (x, y) = (self.q[0].unsigned_abs(), self.q[1].unsigned_abs());
-        let (long, short) = if x < y { (y, x) } else { (x, y) };
-        let length = long.wrapping_sub(long >> 5).wrapping_add((short >> 2).wrapping_add(short >> 3));
-        let rise = (ONE.wrapping_sub(self.half_trace)) as u32;
-        let rise = high_product((self.load as u32) << 1, rise << 2);
+        let [long, root] = length(self.q);
+        let rise = high_product((self.load as u32) << 1, (ONE.wrapping_sub(self.half_trace) as u32) << 2);
         let along = narrow::<30>(dot2(self.coupling, self.q));
-        let slope = length.wrapping_add(rise).wrapping_add(along as u32);
-        if (slope as i32) <= self.load {
+        let slope = long.wrapping_add(rise as i32).wrapping_add(along);
+        let more = times30(narrow::<29>(dot2(self.q, self.p)), root);
+        let along = narrow::<30>(dot2(self.coupling, self.p));
+        let corner = ONE.wrapping_sub(self.half_trace).wrapping_sub(self.half_trace).wrapping_add(self.determinant);
+        let bend = more.wrapping_add(along).wrapping_sub(times30(self.load, corner));
+        let t = self.over(slope);
+        self.over(slope.wrapping_add(times30(bend, t)))
+    }
+
+    /// The load over that, in Q2.30; a half where it is not below one.
+    #[inline(always)]
+    fn over(&self, slope: i32) -> i32 {
+        if slope <= self.load {
             return ONE >> 1;
         }
-        let zeros = leading_zeros(slope);
-        high_product((self.load as u32).wrapping_shl(zeros), reciprocal(slope.wrapping_shl(zeros))) as i32
+        let zeros = leading_zeros(slope as u32);
+        high_product((self.load as u32).wrapping_shl(zeros), reciprocal((slope as u32).wrapping_shl(zeros))) as i32
     }
 
     /// The direction of sliding after the impact, in Q2.30.
@@ -113,6 +122,17 @@ fn step(excess: i64, slope: i64) -> i32 {
     let zeros = leading_zeros64(slope as u64);
     let over = reciprocal(upper(slope, zeros) as u32);
     high(product(upper(excess, zeros.wrapping_sub(1)), (over >> 1) as i32)) << 1
+}
+
+/// The length of a vector of which a component is 2^28 at least, and none 2^29; and 2^59 over that.
+#[inline(always)]
+fn length(v: [i32; 2]) -> [i32; 2] {
+    let square = dot2(v, v);
+    let down = if high(square) < 1 << 26 { 1u32 } else { 0 };
+    // In [2^30, 2^32) now, and its root 2^-14 of the product's upper half.
+    let square = leading32(square, down.wrapping_mul(2).wrapping_add(4));
+    let root = inverse_root(square);
+    [high_product(square, root).wrapping_shr(down) as i32, (root >> 1).wrapping_shl(down) as i32]
 }
 
 /// The vector over its length, in Q2.30.
