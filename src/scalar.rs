@@ -63,6 +63,10 @@ pub use self::step::{Column, StepArithmetic, Weights};
 /// change of sign of the operands changes the sign of the result and nothing else. In floating point each operation
 /// rounds, in the order written. Results beyond the format's range take its largest value; nothing wraps or panics.
 /// Three-component operands are arrays in the order x, y, z.
+#[diagnostic::on_unimplemented(
+    message = "carom does not compute with `{Self}` as it is built here",
+    note = "number types are features of carom: `f32` (default), `fixed`, `f64`, `micromath`; name yours in Cargo.toml"
+)]
 pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync + 'static {
     /// Components of unit vectors: magnitudes up to one, and a little more in between.
     type Unit: Scalar<Unit = Self::Unit, Scaled = Self::Scaled, Exponent = Self::Exponent>;

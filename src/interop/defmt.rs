@@ -182,6 +182,9 @@ impl Format for RangeError {
 
 impl Format for SettingsError {
     fn format(&self, f: Formatter<'_>) {
-        write!(f, "settings: take a sub-step or more, each longer than zero and below one second, the step below two");
+        write!(
+            f,
+            "settings: take a sub-step or more, each longer than zero and below one second, the step below two, and a finite gravity"
+        );
     }
 }

@@ -31,13 +31,15 @@ pub struct Settings<S: Scalar> {
     pub(crate) half_second: u8,
 }
 
-/// A time that cannot be stepped over.
+/// A time that cannot be stepped over, or a gravity that is no acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SettingsError;
 
 impl Display for SettingsError {
     fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
-        f.write_str("settings: take a sub-step or more, each longer than zero and below one second, the step below two")
+        f.write_str(
+            "settings: take a sub-step or more, each longer than zero and below one second, the step below two, and a finite gravity",
+        )
     }
 }
 
@@ -50,11 +52,22 @@ impl<S: Scalar> Settings<S> {
     /// against immovable bodies. A stack sags by g/w^2 a contact times its load.
     ///
     /// # Errors
-    /// [`SettingsError`]: no sub-steps, one that is not between zero and one second, or a step of two seconds or more.
+    /// [`SettingsError`]: no sub-steps, one that is not between zero and one second, or a step of two seconds or more; or a
+    /// gravity that is not finite.
+    ///
+    /// ```
+    /// # #[cfg(feature = "f32")] {
+    /// use carom::{Vec3, solver::Settings};
+    ///
+    /// assert!(Settings::new(Vec3::new(0.0, 0.0, -9.81_f32), [1, 60], 4).is_ok());
+    /// assert!(Settings::new(Vec3::new(0.0, 0.0, f32::NAN), [1, 60], 4).is_err());
+    /// assert!(Settings::new(Vec3::new(0.0, 0.0, -9.81_f32), [1, 60], 0).is_err());
+    /// # }
+    /// ```
     pub fn new(gravity: Vec3<S>, seconds: [u16; 2], sub_steps: u8) -> Result<Self, SettingsError> {
         let [numerator, denominator] = [i32::from(seconds[0]), i32::from(seconds[1]) * i32::from(sub_steps)];
         let h = S::sub_step(numerator, denominator).map_err(|_| SettingsError)?;
-        if numerator == 0 {
+        if numerator == 0 || !gravity.is_finite() {
             return Err(SettingsError);
         }
         let two = S::Scaled::ratio(2, 1);

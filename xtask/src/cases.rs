@@ -1,6 +1,7 @@
 //! Which example is run where by `cargo xtask test`.
 
 use crate::boards::{Board, Scalar};
+use anyhow::{Result, bail};
 
 /// One example with the boards and number types it runs in, every combination of them.
 pub struct Case {
@@ -66,6 +67,16 @@ const STRIKES: &[Case] = &[Case { scalars: &[Scalar::F32], boards: Board::ALL, a
 const SELFTEST: &[Case] = &[Case { scalars: SELFTESTED, boards: Board::ALL, arguments: &[] }];
 
 const SELFTESTED: &[Scalar] = &[Scalar::F32, Scalar::I16F16, Scalar::I12F20, Scalar::Micromath];
+
+/// Fails, and says what to do, for an example that the board has no room for.
+pub fn check_room(name: &str, board: Board) -> Result<()> {
+    if name == "stack" && board.target().starts_with("thumb") {
+        bail!(
+            "`stack` takes more than the 16 KB of RAM that firmware for {board} is linked for: run it here, or on `--board rv32`"
+        );
+    }
+    Ok(())
+}
 
 /// The cases of an example.
 pub fn cases(example: &str) -> &'static [Case] {

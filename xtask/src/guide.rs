@@ -47,7 +47,7 @@ pub fn test(yes: bool) -> Result<()> {
 fn begun(board: Board, scene: Scene, yes: bool) -> Result<(bool, String)> {
     let folder = tempfile::tempdir()?;
     let firmware = folder.path().join("my-firmware");
-    new::run(&firmware, board, scene, yes)?;
+    new::run(&firmware, board, None, scene, yes)?;
     // As somebody would run it, who has set nothing.
     let mut cargo = Command::new("cargo");
     cargo.args(["run", "--quiet", "--release"]).current_dir(&firmware).stdout(std::process::Stdio::piped());

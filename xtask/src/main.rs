@@ -71,6 +71,9 @@ enum Action {
         /// The board
         #[arg(long, default_value_t = Board::M0, value_parser = Board::cortex_m())]
         board: Board,
+        /// The number type; on boards with an FPU f32, else i12f20
+        #[arg(long, value_parser = new::scalars())]
+        scalar: Option<Scalar>,
         /// No maze: a floor and a ball
         #[arg(long)]
         empty: bool,
@@ -166,11 +169,12 @@ fn run(action: Action) -> Result<ExitCode> {
         }
         Action::Demo(Yes { yes }) => demo::run(yes)?,
         Action::Test { only, tidy, yes: Yes { yes } } => test::run(only, yes, tidy)?,
-        Action::New { folder, board, empty, yes: Yes { yes } } => {
-            new::run(&folder, board, if empty { Scene::Ball } else { Scene::Maze }, yes)?;
+        Action::New { folder, board, scalar, empty, yes: Yes { yes } } => {
+            new::run(&folder, board, scalar, if empty { Scene::Ball } else { Scene::Maze }, yes)?;
         }
         Action::Qemu { example, board, scalar, timeout, yes: Yes { yes }, args } => {
             workspace::check_example(&example)?;
+            cases::check_room(&example, board)?;
             let toolchain = setup::ensure_for(board, yes)?;
             let build = Build { target: board.target(), feature: scalar.feature(), profile: Profile::Release };
             let elf = &build.run(&toolchain, std::slice::from_ref(&example))?[0];

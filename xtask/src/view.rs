@@ -1,6 +1,7 @@
 //! `cargo xtask view`: an example's run as a page in three dimensions, or as a picture.
 
 use crate::boards::{Board, Scalar};
+use crate::cases;
 use crate::firmware::{Build, Profile};
 use crate::host::{self, Optimised};
 use crate::{qemu, setup, workspace};
@@ -75,6 +76,9 @@ pub fn run(options: &Options) -> Result<()> {
     let traced = traced_examples()?;
     if !traced.contains(&options.example) {
         bail!("`{}` writes no trace; the examples that do are: {}", options.example, traced.join(", "));
+    }
+    if let Some(board) = options.board {
+        cases::check_room(&options.example, board)?;
     }
     let options = &absolute(options)?;
     let stages = 3 + u64::from(options.compare.is_some()) * 2 + u64::from(options.board.is_some());

@@ -1,4 +1,4 @@
-//! The README's programs in the number type that the comment on their first names: nothing else changes, they say.
+//! The README's programs in the number type that the comment on their first names: nothing else in the file changes, they say.
 
 use crate::process;
 use crate::toolchain::own_cargo;
@@ -10,7 +10,7 @@ use std::process::Stdio;
 use std::time::Duration;
 
 /// The line that says it.
-const CLAIM: (&str, &str, &str) = ("type Real = ", "; // or ", ": nothing else changes\n");
+const CLAIM: (&str, &str, &str) = ("type Real = ", "; // or ", ": nothing else in this file changes\n");
 /// How many programs have it, so that none is lost when they are written anew.
 const PROGRAMS: usize = 2;
 /// A cold build takes most of it.
