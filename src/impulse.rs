@@ -157,11 +157,11 @@ pub fn resolve_collision<S: Scalar>(
     if fpu::computes::<S>() {
         return fpu::resolve(a, b, contact, restitution);
     }
-    strike(a, b, contact, restitution)
+    S::strike(a, b, contact, restitution)
 }
 
 /// [`resolve_collision`] in any number type.
-fn strike<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, contact: &Contact<S>, restitution: S) -> Impact<S> {
+pub(crate) fn strike<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, contact: &Contact<S>, restitution: S) -> Impact<S> {
     column!(let column = a, b, contact, contact.normal);
     let j = match column.impulse(a, b, restitution) {
         Ok(j) => j,

@@ -3,7 +3,10 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::body::Body;
+use crate::contact::Contact;
 use crate::error::RangeError;
+use crate::impulse::{self, Impact};
 use crate::math::{Block, BlockImpulse, SymBlock, SymMat3, Vec3};
 
 #[cfg(any(feature = "f32", feature = "f64", feature = "micromath"))]
@@ -217,14 +220,9 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     /// `-d` for a unit vector.
     fn opposite(d: &Vec3<Self::Unit>) -> Vec3<Self::Unit>;
 
-    /// What an impulse along the unit direction `d` does at the end of the arm `r`: c = r x d and u = I^-1 c, for a tensor
-    /// I^-1 with the power of two of its block; and w . c for the angular velocity `w`.
-    fn lever(
-        rw: [&Vec3<Self>; 2],
-        d: &Vec3<Self::Unit>,
-        inv_inertia: &SymMat3<Self::Unit>,
-        exponent: Self::Exponent,
-    ) -> Self::Lever;
+    /// What an impulse along the unit direction `d` does at the end of the arm `r`: c = r x d and u = I^-1 c for the body's tensor
+    /// I^-1; and w . c for its angular velocity w.
+    fn lever(body: &Body<Self>, r: &Vec3<Self>, d: &Vec3<Self::Unit>) -> Self::Lever;
 
     /// The speed at which two points part: `v . d + w . c`, added up for both bodies, each with its own direction away from
     /// the other.
@@ -249,15 +247,15 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     /// `-(1 + e) speed / k` for `e` in 0 to 1 and `k >= 0`. For `k = 0`: not finite, in fixed point zero.
     fn rebound(restitution: Self, speed: Self::Scaled, k: Self::Scaled) -> Self::Scaled;
 
-    /// `v + j m d` and `w + j u` for an inverse mass m and a lever's u, rounded once a component, and whether a component
+    /// `v + j m d` and `w + j u` for the body's inverse mass m and a lever's u, rounded once a component, and whether a component
     /// met the end of the range. `d` is within +-1.
-    fn push(
-        v: &mut Vec3<Self>,
-        w: &mut Vec3<Self>,
-        linear: (&Vec3<Self::Unit>, Self::Scaled),
-        lever: &Self::Lever,
-        j: Self::Scaled,
-    ) -> bool;
+    fn push(body: &mut Body<Self>, d: &Vec3<Self::Unit>, lever: &Self::Lever, j: Self::Scaled) -> bool;
+
+    /// [`resolve_collision`](crate::impulse::resolve_collision), by a core's own instructions where there are such.
+    #[inline(always)]
+    fn strike(a: &mut Body<Self>, b: &mut Body<Self>, contact: &Contact<Self>, restitution: Self) -> Impact<Self> {
+        impulse::strike(a, b, contact, restitution)
+    }
 
     /// What impulses in any direction do at the end of the arm `r`: W = I^-1 (r x .), for a tensor I^-1 with the power of two
     /// of its block.

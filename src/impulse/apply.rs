@@ -5,17 +5,11 @@ use crate::body::Body;
 use crate::math::{Block, Vec3};
 use crate::scalar::Scalar;
 
-/// An impulse `j` along a direction as the body sees it.
-#[inline(always)]
-fn push<S: Scalar>(body: &mut Body<S>, direction: &Vec3<S::Unit>, lever: &S::Lever, j: S::Scaled) -> bool {
-    S::push(&mut body.linear_velocity, &mut body.angular_velocity, (direction, body.inv_mass), lever, j)
-}
-
 /// An impulse `j` along the column's direction, on B; the opposite on A.
 #[inline(always)]
 pub(super) fn apply_normal<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, column: &Column<S>, j: S::Scaled) -> bool {
     let ([away, direction], [lever_a, lever_b]) = (column.directions, column.levers);
-    push(a, away, lever_a, j) | push(b, direction, lever_b, j)
+    S::push(a, away, lever_a, j) | S::push(b, direction, lever_b, j)
 }
 
 /// An impulse `j` at the end of an arm.

@@ -9,7 +9,7 @@ use crate::scalar::{Scalar, Scaled};
 /// bodies swaps numbers and changes none.
 #[inline(always)]
 pub(super) fn lever<S: Scalar>(body: &Body<S>, r: &Vec3<S>, direction: &Vec3<S::Unit>) -> S::Lever {
-    S::lever([r, &body.angular_velocity], direction, &body.inv_inertia_world, body.exponent)
+    S::lever(body, r, direction)
 }
 
 /// What the two bodies of a contact oppose to impulses along a direction. (References: the compiler would copy levers.)

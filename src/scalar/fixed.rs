@@ -15,7 +15,12 @@ use super::scaled32::Scaled32;
 use super::step32::FixedStep;
 use super::stored32::{self, add_block, add_scaled, clip};
 use super::wide::{bits_of, magnitude, units};
+use crate::body::Body;
+#[cfg(multiply = "short")]
+use crate::contact::Contact;
 use crate::error::RangeError;
+#[cfg(multiply = "short")]
+use crate::impulse::Impact;
 use crate::math::{Block, BlockImpulse, SymBlock, SymMat3, Vec3};
 
 /// `(p + q + r) / 2^frac` rounded and clipped, for products of 32-bit numbers and `frac <= 30`.
@@ -315,8 +320,8 @@ where
     }
 
     #[inline(always)]
-    fn lever([r, w]: [&Vec3<Self>; 2], d: &Vec3<I2F30>, inv_inertia: &SymMat3<I2F30>, exponent: i32) -> Lever32 {
-        lever(r, w, d, inv_inertia, exponent)
+    fn lever(body: &Body<Self>, r: &Vec3<Self>, d: &Vec3<I2F30>) -> Lever32 {
+        lever(body, r, d)
     }
 
     #[inline(always)]
@@ -332,7 +337,8 @@ where
         inv_masses: [Scaled32; 2],
         levers: [&Lever32; 2],
     ) -> Result<Scaled32, (Scaled32, Scaled32)> {
-        machine::approach_impulse(rebound_factor(restitution), v, d, inv_masses, levers)
+        let v = [bits_of(v[0]), bits_of(v[1])];
+        lever32::approach_impulse(rebound_factor(restitution), v, d, inv_masses, levers, Frac::I32)
     }
 
     #[inline(always)]
@@ -346,14 +352,14 @@ where
     }
 
     #[inline(always)]
-    fn push(
-        v: &mut Vec3<Self>,
-        w: &mut Vec3<Self>,
-        linear: (&Vec3<I2F30>, Scaled32),
-        lever: &Lever32,
-        j: Scaled32,
-    ) -> bool {
-        machine::push(v, w, linear, lever, j)
+    fn push(body: &mut Body<Self>, d: &Vec3<I2F30>, lever: &Lever32, j: Scaled32) -> bool {
+        machine::push(body, d, lever, j)
+    }
+
+    #[cfg(multiply = "short")]
+    #[inline(always)]
+    fn strike(a: &mut Body<Self>, b: &mut Body<Self>, contact: &Contact<Self>, restitution: Self) -> Impact<Self> {
+        machine::strike(a, b, contact, restitution)
     }
 
     #[inline(always)]

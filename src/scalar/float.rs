@@ -243,10 +243,10 @@ macro_rules! float_scalar {
             }
 
             #[inline(always)]
-            fn lever([r, w]: [&Vec3<Self>; 2], d: &Vec3<Self>, inv_inertia: &SymMat3<Self>, (): ()) -> Self::Lever {
+            fn lever(body: &$crate::body::Body<Self>, r: &Vec3<Self>, d: &Vec3<Self>) -> Self::Lever {
                 let cross = r.cross(*d);
-                let turn = inv_inertia.times(cross);
-                FloatLever { turn, inverse_mass: cross.dot(turn), spin: w.dot(cross) }
+                let turn = body.inv_inertia_world.times(cross);
+                FloatLever { turn, inverse_mass: cross.dot(turn), spin: body.angular_velocity.dot(cross) }
             }
 
             #[inline(always)]
@@ -279,15 +279,9 @@ macro_rules! float_scalar {
             }
 
             #[inline(always)]
-            fn push(
-                v: &mut Vec3<Self>,
-                w: &mut Vec3<Self>,
-                linear: (&Vec3<Self>, Self),
-                lever: &Self::Lever,
-                j: Self,
-            ) -> bool {
-                *v += *linear.0 * (linear.1 * j);
-                *w += lever.turn * j;
+            fn push(body: &mut $crate::body::Body<Self>, d: &Vec3<Self>, lever: &Self::Lever, j: Self) -> bool {
+                body.linear_velocity += *d * (body.inv_mass * j);
+                body.angular_velocity += lever.turn * j;
                 false
             }
 

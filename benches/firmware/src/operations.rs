@@ -90,13 +90,21 @@ macro_rules! operations {
             }
 
             #[unsafe(export_name = concat!("kernel_resolve_", $name))]
-            extern "C" fn resolve(out: &mut Impact<S>, a: &mut Body<S>, b: &mut Body<S>, given: &Given<S>) {
-                *out = resolve_collision(a, b, &given.contact, given.material.restitution());
+            #[allow(
+                improper_ctypes_definitions,
+                reason = "micromath states no layout; an impact is returned in memory"
+            )]
+            extern "C" fn resolve(a: &mut Body<S>, b: &mut Body<S>, given: &Given<S>) -> Impact<S> {
+                resolve_collision(a, b, &given.contact, given.material.restitution())
             }
 
             #[unsafe(export_name = concat!("kernel_friction_", $name))]
-            extern "C" fn friction(out: &mut Impact<S>, a: &mut Body<S>, b: &mut Body<S>, given: &Given<S>) {
-                *out = resolve_collision_with_friction(a, b, &given.contact, &given.material);
+            #[allow(
+                improper_ctypes_definitions,
+                reason = "micromath states no layout; an impact is returned in memory"
+            )]
+            extern "C" fn friction(a: &mut Body<S>, b: &mut Body<S>, given: &Given<S>) -> Impact<S> {
+                resolve_collision_with_friction(a, b, &given.contact, &given.material)
             }
 
             impl Operations for S {

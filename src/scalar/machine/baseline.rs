@@ -65,15 +65,14 @@ macro_rules! minor {
     };
 }
 
-mod approach;
 mod arm;
 mod lever;
 mod numbers;
 mod push;
 mod quotient;
 mod slip;
+mod strike;
 
-pub use approach::approach_impulse;
 pub use arm::arm;
 pub(super) use lever::lever_words;
 pub use numbers::{leading_zeros, times30};
@@ -81,3 +80,4 @@ pub(super) use push::add_scaled_words;
 pub use push::{add_along, add_turn, push};
 pub use quotient::{long_quotient, reciprocal};
 pub use slip::excess;
+pub use strike::strike;

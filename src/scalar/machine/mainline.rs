@@ -7,19 +7,16 @@
 
 use core::arch::{asm, naked_asm};
 
+use fixed::types::I32F0;
+
 use super::words::add_far;
+use crate::body::Body;
 use crate::scalar::lever32::Lever32;
 use crate::scalar::scaled32::Scaled32;
 
-/// A lever; `r`, `w` and `d` point to three words each, `inv_inertia` to six.
+/// A lever; `r` and `d` point to three words each.
 #[unsafe(naked)]
-pub(super) unsafe extern "C" fn lever_words(
-    r: *const i32,
-    w: *const i32,
-    d: *const i32,
-    inv_inertia: *const i32,
-    exponent: i32,
-) -> Lever32 {
+pub(super) unsafe extern "C" fn lever_words(r: *const i32, body: *const Body<I32F0>, d: *const i32) -> Lever32 {
     naked_asm!(
         "push {{r4-r11, lr}}",
         // r4, r5, r6: r. r7: the places by which it moves left. A word's sign bits, less one, are the leading zeros of x ^ 2x.
@@ -46,13 +43,15 @@ pub(super) unsafe extern "C" fn lever_words(
         "smull r12, r3, r4, r9",
         "smlal r12, r3, r5, r11",
         // w . c
-        "ldm r2, {{r4, r5, r6}}",
+        "adds r2, #24",
+        "ldm r2!, {{r4, r5, r6}}",
         "smull r8, r9, r4, lr",
         "smlal r8, r9, r5, r1",
         "smlal r8, r9, r6, r3",
         "strd r8, r9, [r0], #8",
         // r4, r5, r6, r8, r9, r10: I^-1, xx, xy, xz, yy, yz, zz. r12: its exponent.
-        "ldrd r2, r12, [sp, #36]",
+        "adds r2, #20",
+        "ldr r12, [r2, #24]",
         "ldm r2, {{r4, r5, r6, r8, r9, r10}}",
         // r4, r5, r6: u = I^-1 c.
         "smull r2, r11, r4, lr",

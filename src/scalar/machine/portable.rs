@@ -3,7 +3,9 @@
 use fixed::FixedI32;
 use fixed::types::I2F30;
 
+use crate::body::Body;
 use crate::math::{SymMat3, Vec3};
+use crate::scalar::Scalar;
 use crate::scalar::integer::leading_zeros;
 use crate::scalar::lever32::Lever32;
 use crate::scalar::product::{dot, dot2, product};
@@ -15,14 +17,11 @@ use super::shifts::at_most_31;
 
 /// The lever of an arm and an angular velocity of one format.
 #[inline(always)]
-pub fn lever<F>(
-    r: &Vec3<FixedI32<F>>,
-    w: &Vec3<FixedI32<F>>,
-    d: &Vec3<I2F30>,
-    inv_inertia: &SymMat3<I2F30>,
-    exponent: i32,
-) -> Lever32 {
-    lever_of(bits_of(r), bits_of(w), d, inv_inertia, exponent)
+pub fn lever<F>(body: &Body<FixedI32<F>>, r: &Vec3<FixedI32<F>>, d: &Vec3<I2F30>) -> Lever32
+where
+    FixedI32<F>: Scalar<Unit = I2F30, Exponent = i32>,
+{
+    lever_of(bits_of(r), bits_of(&body.angular_velocity), d, &body.inv_inertia_world, body.exponent)
 }
 
 #[inline(never)]

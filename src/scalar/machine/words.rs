@@ -1,30 +1,37 @@
 //! References for functions in assembly, which take pointers to words.
 #![allow(unsafe_code)]
 
+use core::mem::offset_of;
 use core::ptr::{from_mut, from_ref};
 
 use fixed::FixedI32;
 use fixed::types::{I2F30, I32F0};
 
 use super::{add_scaled_words, lever_words};
-use crate::math::{SymMat3, Vec3};
+use crate::body::Body;
+use crate::math::Vec3;
+use crate::scalar::Scalar;
 use crate::scalar::lever32::Lever32;
 use crate::scalar::stored32;
 
+/// Where functions in assembly find what of a body they read.
+const _: () = {
+    assert!(offset_of!(Body<I32F0>, linear_velocity) == 12);
+    assert!(offset_of!(Body<I32F0>, angular_velocity) == 24);
+    assert!(offset_of!(Body<I32F0>, inv_mass) == 48);
+    assert!(offset_of!(Body<I32F0>, inv_inertia_world) == 56);
+    assert!(offset_of!(Body<I32F0>, exponent) == 80);
+};
+
 /// A lever, as that of `portable.rs`.
 #[inline(always)]
-pub fn lever<F>(
-    r: &Vec3<FixedI32<F>>,
-    w: &Vec3<FixedI32<F>>,
-    d: &Vec3<I2F30>,
-    inv_inertia: &SymMat3<I2F30>,
-    exponent: i32,
-) -> Lever32 {
-    let (r, w, d, inv_inertia) =
-        (from_ref(r).cast(), from_ref(w).cast(), from_ref(d).cast(), from_ref(inv_inertia).cast());
-    // SAFETY: the references are to three words, or six, each; the function reads those, writes every field of the lever, which
-    // is `repr(C)`, and keeps to the calling convention.
-    unsafe { lever_words(r, w, d, inv_inertia, exponent) }
+pub fn lever<F>(body: &Body<FixedI32<F>>, r: &Vec3<FixedI32<F>>, d: &Vec3<I2F30>) -> Lever32
+where
+    FixedI32<F>: Scalar,
+{
+    // SAFETY: two of the references are to three words each, one is to a body, laid out as the constants above say; the function
+    // reads those, writes every field of the lever, which is `repr(C)`, and keeps to the calling convention.
+    unsafe { lever_words(from_ref(r).cast(), from_ref(body).cast(), from_ref(d).cast()) }
 }
 
 /// Adds `d k / 2^(32 + down)` to `x`, rounded once a component; whether a component met the end of the range. The upper half of

@@ -3,7 +3,10 @@
 use core::arch::naked_asm;
 use core::mem::offset_of;
 
+use fixed::types::I32F0;
+
 use super::numbers::zeros_of;
+use crate::body::Body;
 use crate::scalar::lever32::Lever32;
 use crate::scalar::scaled32::Scaled32;
 
@@ -86,18 +89,16 @@ macro_rules! turn {
     };
 }
 
-/// A lever; `r`, `w` and `d` point to three words each, `inv_inertia` to six.
+/// A lever; `r` and `d` point to three words each.
 #[unsafe(naked)]
 pub(in crate::scalar::machine) unsafe extern "C" fn lever_words(
     r: *const i32,
-    w: *const i32,
+    body: *const Body<I32F0>,
     d: *const i32,
-    inv_inertia: *const i32,
-    exponent: i32,
 ) -> Lever32 {
     naked_asm!(
         // On the stack from here on: c in halves, at 24 d and r, then the tensor, at 48 w, then u, at 60 the places, at 64 the
-        // lever, at 68 w, at 92 the tensor, at 96 its exponent.
+        // lever, at 68 the body.
         "push {{r0, r2, r4-r7, lr}}",
         "sub sp, #64",
         // r, moved left until it fills 31 bits.
@@ -116,10 +117,11 @@ pub(in crate::scalar::machine) unsafe extern "C" fn lever_words(
         cross!(44, 24, 36, 32, 8),
         cross!(36, 28, 40, 24, 16),
         "ldr r7, [sp, #68]",
+        "adds r7, #24",
         "ldm r7!, {{r0, r1, r2}}",
         "add r6, sp, #48",
         "stm r6!, {{r0, r1, r2}}",
-        "ldr r7, [sp, #92]",
+        "adds r7, #20",
         "ldm r7!, {{r0, r1, r2, r3, r4, r5}}",
         "add r6, sp, #24",
         "stm r6!, {{r0, r1, r2, r3, r4, r5}}",
@@ -157,7 +159,8 @@ pub(in crate::scalar::machine) unsafe extern "C" fn lever_words(
         "lsrs r4, r4, #2",
         // r3 and r5: the exponents of u and of c . u.
         "ldr r2, [sp, #60]",
-        "ldr r3, [sp, #96]",
+        "ldr r3, [sp, #68]",
+        "ldr r3, [r3, #80]",
         "subs r3, r3, r2",
         "subs r5, r3, r2",
         "subs r5, r5, r0",

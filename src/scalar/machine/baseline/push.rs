@@ -5,50 +5,87 @@ use core::mem::offset_of;
 use core::ptr::{from_mut, from_ref};
 
 use fixed::FixedI32;
-use fixed::types::I2F30;
 use fixed::types::extra::LeEqU32;
+use fixed::types::{I2F30, I32F0};
 
+use crate::body::Body;
 use crate::math::Vec3;
+use crate::scalar::Scalar;
 use crate::scalar::lever32::Lever32;
 use crate::scalar::machine::words::add_far;
 use crate::scalar::scaled32::Scaled32;
 
-/// A component of x, at `$at` from r0, and d k / 2^(32 + down) in r2; to `$far` where they leave the range.
-///
-/// With d = 2^16 d1 + d0, d0 of either sign, the middle products fit a word together: |d| < 2^30.5 and |k| < 2^30, or |d| <= 2^30
-/// and |k| < 2^31.
-macro_rules! added {
-    ($at:literal, $far:literal) => {
+/// d = 2^16 d1 + d0 in r6 and r7, d0 of either sign, so that the middle products of a direction and |k| < 2^31 fit a word together,
+/// and those of |d| < 2^30.5 and |k| < 2^30.
+macro_rules! signed {
+    (asr) => {
+        "asrs"
+    };
+    () => {
+        "sxth r7, r6\n subs r6, r6, r7\n asrs r6, r6, #16\n"
+    };
+}
+
+/// The same with d0 not negative, for |d| < 2^29.8 and |k| < 2^30.
+macro_rules! plain {
+    (asr) => {
+        "lsrs"
+    };
+    () => {
+        "uxth r7, r6\n asrs r6, r6, #16\n"
+    };
+}
+
+/// A component of d k / 2^32 in r6.
+macro_rules! times {
+    ($at:literal, $halves:ident) => {
         concat!(
             "ldr r6, [r1, #",
             $at,
-            "]\n sxth r7, r6\n subs r6, r6, r7\n asrs r6, r6, #16\n",
-            "mov r2, r7\n muls r2, r4, r2\n asrs r2, r2, #16\n muls r7, r5, r7\n adds r7, r7, r2\n",
+            "]\n",
+            $halves!(),
+            "mov r2, r7\n muls r2, r4, r2\n ",
+            $halves!(asr),
+            " r2, r2, #16\n muls r7, r5, r7\n adds r7, r7, r2\n",
             "mov r2, r6\n muls r2, r4, r2\n adds r7, r7, r2\n muls r6, r5, r6\n asrs r7, r7, #16\n adds r6, r6, r7\n",
-            // The last bit that leaves by a shift is the carry, and the half that rounds.
-            "asrs r6, r3\n ldr r2, [r0, #",
-            $at,
-            "]\n adcs r2, r6\n bvs ",
-            $far,
-            "\n",
         )
     };
 }
 
-/// `add_scaled` for x at r0, d at r1, k in r2 and down in r3; to `$far`, with all but k as they were, where it has nothing added.
+/// The sum of a component of x and r6 / 2^down, rounded, in r2; to `$far` where it leaves the range.
+macro_rules! added {
+    ($at:literal, $far:literal) => {
+        // The last bit that leaves by a shift is the carry, and the half that rounds.
+        concat!("asrs r6, r3\n ldr r2, [r0, #", $at, "]\n adcs r2, r6\n bvs ", $far, "\n")
+    };
+}
+
+/// `add_scaled` for x at r0, d at r1, k in r2 and down in r3; to `$far`, with k in halves in r4 and r5, where it has nothing added.
 macro_rules! add_scaled {
-    ($far:literal) => {
+    ($halves:ident, $far:literal) => {
         concat!(
-            "cmp r3, #1\n blt ",
-            $far,
-            "\n cmp r3, #31\n ble 1f\n movs r3, #31\n 1:\n uxth r4, r2\n asrs r5, r2, #16\n",
+            "uxth r4, r2\n asrs r5, r2, #16\n",
+            times!(0, $halves),
+            "cmp r3, #31\n ble 1f\n movs r3, #31\n 1:\n",
             added!(0, $far),
             "mov r12, r2\n",
+            times!(4, $halves),
             added!(4, $far),
             "mov lr, r2\n",
+            times!(8, $halves),
             added!(8, $far),
-            "str r2, [r0, #8]\n mov r2, r12\n mov r3, lr\n stm r0!, {{r2, r3}}\n",
+            // What shifts by other numbers of places have left is of no use.
+            "cmp r3, #1\n blt ",
+            $far,
+            "\n str r2, [r0, #8]\n mov r2, r12\n mov r3, lr\n stm r0!, {{r2, r3}}\n",
         )
+    };
+}
+
+/// What `add_scaled` leaves alone: r0 says whether a component met the end of the range. The stack is aligned.
+macro_rules! far {
+    () => {
+        "lsls r2, r5, #16\n adds r2, r2, r4\n bl {far}\n"
     };
 }
 
@@ -61,123 +98,104 @@ pub(in crate::scalar::machine) unsafe extern "C" fn add_scaled_words(
     down: i32,
 ) -> bool {
     naked_asm!(
-        "push {{r2-r7, lr}}",
-        add_scaled!("2f"),
+        "push {{r1-r7, lr}}",
+        add_scaled!(signed, "2f"),
         "movs r0, #0",
-        "pop {{r2-r7, pc}}",
+        "pop {{r1-r7, pc}}",
         "2:",
-        "ldr r2, [sp]",
-        "ldr r3, [sp, #4]",
-        "sub sp, #4",
-        "bl {far}",
-        "add sp, #4",
-        "pop {{r2-r7, pc}}",
+        far!(),
+        "pop {{r1-r7, pc}}",
         far = sym add_far,
     )
 }
 
-/// What of a push turns, as arguments of `add_scaled`.
+/// What of a push turns, as arguments of `add_scaled` for w at r0.
 macro_rules! turn {
     () => {
         concat!(
-            "ldr r2, [sp, #44]\n ldr r1, [sp, #12]\n ldr r3, [r1, #{turn_exponent}]\n adds r1, #{turn}\n",
-            // -(turn_exponent + exponent of j) - 3
-            "ldr r5, [sp, #48]\n adds r3, r3, r5\n mvns r3, r3\n subs r3, #2\n ldr r0, [sp, #4]\n",
+            "ldr r1, [sp, #4]\n ldr r3, [sp, #8]\n ldr r2, [r3]\n ldr r3, [r3, #8]\n",
+            "ldr r4, [r1, #{turn_exponent}]\n subs r3, r3, r4\n adds r1, #{turn}\n",
         )
     };
 }
 
-/// The push of an impulse j; `places` is 29 less the fraction bits.
+/// The push of an impulse; `blow` points to its mantissa, and for an exponent of zero in 1/m and in u, to the places by which
+/// `add_scaled` moves the products right.
 #[unsafe(naked)]
-unsafe extern "C" fn push_words(
-    v: *mut i32,
-    w: *mut i32,
+pub(super) unsafe extern "C" fn push_words(
+    body: *mut Body<I32F0>,
     d: *const i32,
     lever: *const Lever32,
-    inv_mass: Scaled32,
-    j: Scaled32,
-    places: i32,
+    blow: *const [i32; 3],
 ) -> bool {
     naked_asm!(
-        // On the stack from here on: v, w, d, the lever, at 36 the inverse mass, at 44 j, at 52 the places.
-        "push {{r0-r7, lr}}",
+        // On the stack from here on: d, the lever, the blow.
+        "push {{r1-r7, lr}}",
         // r2: the product of the mantissas without its last 29 places; the middle products are below 2^30.
-        "ldr r6, [sp, #36]",
-        "ldr r4, [sp, #44]",
-        "uxth r0, r6",
-        "asrs r6, r6, #16",
-        "uxth r1, r4",
+        "ldr r4, [r3]",
+        "ldr r3, [r3, #4]",
+        "adds r0, #{inv_mass}",
+        "ldm r0!, {{r5, r6}}",
+        "subs r3, r3, r6",
+        "subs r0, #{inv_mass} + 8 - {linear_velocity}",
+        "uxth r6, r5",
+        "asrs r5, r5, #16",
+        "uxth r7, r4",
         "asrs r4, r4, #16",
-        "mov r2, r0",
-        "muls r2, r1, r2",
-        "muls r1, r6, r1",
-        "muls r0, r4, r0",
+        "mov r2, r6",
+        "muls r2, r7, r2",
+        "muls r7, r5, r7",
         "muls r6, r4, r6",
-        "adds r1, r1, r0",
-        "lsls r0, r1, #16",
-        "asrs r1, r1, #16",
-        "adds r2, r2, r0",
-        "adcs r6, r1",
+        "muls r5, r4, r5",
+        "adds r7, r7, r6",
+        "lsls r6, r7, #16",
+        "asrs r7, r7, #16",
+        "adds r2, r2, r6",
+        "adcs r5, r7",
         "lsrs r2, r2, #29",
-        "lsls r6, r6, #3",
-        "orrs r2, r6",
-        "str r2, [sp, #36]",
-        "ldr r3, [sp, #52]",
-        "ldr r0, [sp, #40]",
-        "subs r3, r3, r0",
-        "ldr r0, [sp, #48]",
-        "subs r3, r3, r0",
-        "ldr r0, [sp]",
-        "ldr r1, [sp, #8]",
-        add_scaled!("3f"),
+        "lsls r5, r5, #3",
+        "orrs r2, r5",
+        add_scaled!(signed, "3f"),
+        // r0 is 8 bytes further on.
+        "adds r0, #4",
         turn!(),
-        "b 2f",
+        add_scaled!(plain, "4f"),
+        "movs r0, #0",
+        "pop {{r1-r7, pc}}",
         "3:",
-        "ldr r2, [sp, #36]",
-        "sub sp, #4",
-        "bl {far}",
-        "add sp, #4",
+        "mov r6, r0",
+        far!(),
         "str r0, [sp]",
+        "mov r0, r6",
+        "adds r0, #12",
         turn!(),
-        "sub sp, #4",
         "bl {add_scaled}",
-        "add sp, #4",
         "ldr r1, [sp]",
         "orrs r0, r1",
-        "add sp, #16",
-        "pop {{r4-r7, pc}}",
-        "2:",
-        add_scaled!("4f"),
-        "movs r0, #0",
-        "add sp, #16",
-        "pop {{r4-r7, pc}}",
+        "pop {{r1-r7, pc}}",
         "4:",
-        "ldr r2, [sp, #44]",
-        "sub sp, #4",
-        "bl {far}",
-        "add sp, #4",
-        "add sp, #16",
-        "pop {{r4-r7, pc}}",
+        far!(),
+        "pop {{r1-r7, pc}}",
         far = sym add_far,
         add_scaled = sym add_scaled_words,
         turn = const offset_of!(Lever32, turn),
         turn_exponent = const offset_of!(Lever32, turn_exponent),
+        inv_mass = const offset_of!(Body<I32F0>, inv_mass),
+        linear_velocity = const offset_of!(Body<I32F0>, linear_velocity),
     )
 }
 
 /// A push, as that of `machine/impulses.rs`.
 #[inline(always)]
-pub fn push<F: LeEqU32>(
-    v: &mut Vec3<FixedI32<F>>,
-    w: &mut Vec3<FixedI32<F>>,
-    (d, inv_mass): (&Vec3<I2F30>, Scaled32),
-    lever: &Lever32,
-    j: Scaled32,
-) -> bool {
-    let places = 29i32.wrapping_sub(F::I32);
-    // SAFETY: the references are to three words each, and to a lever, which is `repr(C)`; the function reads them, writes the
-    // first two, and keeps to the calling convention.
-    unsafe { push_words(from_mut(v).cast(), from_mut(w).cast(), from_ref(d).cast(), lever, inv_mass, j, places) }
+pub fn push<F: LeEqU32>(body: &mut Body<FixedI32<F>>, d: &Vec3<I2F30>, lever: &Lever32, j: Scaled32) -> bool
+where
+    FixedI32<F>: Scalar,
+{
+    let blow =
+        [j.mantissa(), 29i32.wrapping_sub(F::I32).wrapping_sub(j.exponent()), (-3i32).wrapping_sub(j.exponent())];
+    // SAFETY: the references are to a body, laid out as the constants of `words.rs` say, to three words, to a lever, which is
+    // `repr(C)`, and to three words; the function reads them, writes the body's velocities, and keeps to the calling convention.
+    unsafe { push_words(from_mut(body).cast(), from_ref(d).cast(), lever, &blow) }
 }
 
 /// A component of `v`, at `$at` from r0, and `d k / 2^K`, of which 32 - K is `$up` and K - 16 is `$down`: r3 and r4 are k in halves.
