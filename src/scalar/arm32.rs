@@ -126,8 +126,9 @@ pub(super) fn velocity<F>(
     let ([va, vb], [wa, wb], [ra, rb]) =
         ([bits_of(v[0]), bits_of(v[1])], [bits_of(w[0]), bits_of(w[1])], [bits_of(r[0]), bits_of(r[1])]);
     // Products of 60 bits: four of them and the velocities stay within 63. And what can change its sign.
-    let small = (magnitude(wa) | magnitude(wb) | magnitude(rb)) >> 30 == 0;
-    if !small || room(wa, ra) < 4 || room(wb, rb) < 4 {
+    let (of_wa, of_ra) = (magnitude(wa), magnitude(ra));
+    let large = (of_wa | magnitude(wb) | magnitude(rb)) >> 30 != 0;
+    if large || (of_ra >> 30 != 0 && of_wa >> 29 != 0) {
         return None;
     }
     let (m, n) = (minus(wa), minus(rb));
@@ -154,12 +155,6 @@ fn leading(x: i64, y: i64, z: i64, exponent: i32) -> ([i32; 3], i32) {
 #[inline(always)]
 const fn rounded(x: i64, up: u32) -> i32 {
     (shift_left(x, up) >> 1).wrapping_add(1) >> 1
-}
-
-/// The leading zeros of two vectors: products of components have as many.
-#[inline(always)]
-fn room(w: [i32; 3], r: [i32; 3]) -> u32 {
-    leading_zeros(magnitude(w)).wrapping_add(leading_zeros(magnitude(r)))
 }
 
 /// The same by numbers with exponents of their own, for what is near the end of the range.
