@@ -25,8 +25,8 @@ pub(super) fn apply_block<S: Scalar>(
     a: &mut Body<S>,
     b: &mut Body<S>,
     r: [&Vec3<S>; 2],
-    arms: &[S::Arm; 2],
+    arms: [&S::Arm; 2],
     j: &Block<S>,
 ) -> bool {
-    kick(a, r[0], &arms[0], &j.opposite()) | kick(b, r[1], &arms[1], j)
+    kick(a, r[0], arms[0], &j.opposite()) | kick(b, r[1], arms[1], j)
 }

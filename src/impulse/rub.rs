@@ -27,9 +27,11 @@ pub(super) fn rub<S: Scalar>(
     if !S::Unit::is_against(velocity.mantissas.to_array(), normal.to_array()) {
         return Impact::nothing(unmoved(a, b, velocity, normal, [r_a, r_b]));
     }
-    let arms = [S::arm(r_a, &a.inv_inertia_world, a.exponent), S::arm(r_b, &b.inv_inertia_world, b.exponent)];
+    // Not an array, into which the second would be copied.
+    let arm_a = S::arm(r_a, &a.inv_inertia_world, a.exponent);
+    let arm_b = S::arm(r_b, &b.inv_inertia_world, b.exponent);
     let inv_masses = [a.inv_mass, b.inv_mass];
-    let inverse_mass = S::contact_inverse_mass(inv_masses, [&arms[0], &arms[1]]);
+    let inverse_mass = S::contact_inverse_mass(inv_masses, [&arm_a, &arm_b]);
     let surface = [material.restitution(), material.friction()];
     let (j, outcome) = match S::contact_impulse(&inverse_mass, &velocity, &normal, surface) {
         Some((j, stuck)) => (j, if stuck { Outcome::Stuck } else { Outcome::Slid }),
@@ -49,7 +51,7 @@ pub(super) fn rub<S: Scalar>(
             }
         }
     };
-    let clipped = apply_block(a, b, [r_a, r_b], &arms, &Block { mantissas: j.whole, exponent: j.exponent });
+    let clipped = apply_block(a, b, [r_a, r_b], [&arm_a, &arm_b], &Block { mantissas: j.whole, exponent: j.exponent });
     let (normal_impulse, large) = S::from_block(j.normal, j.normal_exponent);
     let (x, large_x) = S::from_block(j.across.x, j.exponent);
     let (y, large_y) = S::from_block(j.across.y, j.exponent);

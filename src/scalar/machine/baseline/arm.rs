@@ -13,11 +13,41 @@ use crate::math::{SymMat3, Vec3};
 use crate::scalar::arm32::Arm32;
 use crate::scalar::scaled32::Scaled32;
 
+/// The upper and the lower half of a number in halves at `$at` of the stack, the lower one first.
+macro_rules! halves {
+    ($high:literal, $low:literal, $at:literal) => {
+        concat!("ldr ", $low, ", [sp, #", $at, "]\n ldr ", $high, ", [sp, #", $at, " + 4]\n")
+    };
+}
+
+/// `i0 r1 - i1 r0` in r0 and r4, of words of the tensor and numbers in halves, all on the stack.
+///
+/// Of the middle products those of one kind fit a common word each: |i| < 2^29.1 and |r| <= 2^30.
+macro_rules! minor {
+    ($i0:literal, $r1:literal, $i1:literal, $r0:literal) => {
+        concat!(
+            word!("r0", "r1", $i0),
+            halves!("r2", "r3", $r1),
+            // r0, r4: the upper and the lower product. r3, r1: the middle ones.
+            "mov r4, r1\n muls r4, r3, r4\n muls r3, r0, r3\n muls r1, r2, r1\n muls r0, r2, r0\n",
+            word!("r2", "r5", $i1),
+            "ldr r6, [sp, #",
+            $r0,
+            "]\n mov r7, r5\n muls r7, r6, r7\n muls r6, r2, r6\n subs r3, r3, r6\n",
+            "ldr r6, [sp, #",
+            $r0,
+            " + 4]\n muls r5, r6, r5\n subs r1, r1, r5\n muls r2, r6, r2\n subs r4, r4, r7\n sbcs r0, r2\n",
+            "lsls r2, r3, #16\n asrs r3, r3, #16\n adds r4, r4, r2\n adcs r0, r3\n",
+            "lsls r2, r1, #16\n asrs r1, r1, #16\n adds r4, r4, r2\n adcs r0, r1\n",
+        )
+    };
+}
+
 /// An element of W without its last 29 places, at `$to` of what a word of the stack points to.
 macro_rules! element {
     ($i0:literal, $r1:literal, $i1:literal, $r0:literal, $to:literal, $column:literal) => {
         concat!(
-            minor!(halves, $i0, $r1, $i1, $r0),
+            minor!($i0, $r1, $i1, $r0),
             "lsls r0, r0, #3\n lsrs r4, r4, #29\n orrs r0, r4\n ldr r1, [sp, #48]\n str r0, [r1, #",
             $to,
             " + ",

@@ -10,11 +10,32 @@ use crate::body::Body;
 use crate::scalar::lever32::Lever32;
 use crate::scalar::scaled32::Scaled32;
 
+/// `r0 d1 - r1 d0` in r0 and r4, of words of the stack.
+///
+/// Lower halves are not negative. Of the middle products only two fit a common word: |d| <= 2^30.
+macro_rules! minor {
+    ($r0:literal, $d1:literal, $r1:literal, $d0:literal) => {
+        concat!(
+            word!("r0", "r1", $r0),
+            word!("r2", "r3", $d1),
+            // r0, r4: the upper and the lower product. r3, r1: the middle ones.
+            "mov r4, r1\n muls r4, r3, r4\n muls r3, r0, r3\n muls r1, r2, r1\n muls r0, r2, r0\n",
+            "lsls r2, r3, #16\n asrs r3, r3, #16\n adds r4, r4, r2\n adcs r0, r3\n",
+            word!("r2", "r5", $r1),
+            word!("r6", "r7", $d0),
+            "mov r3, r2\n muls r3, r6, r3\n muls r2, r7, r2\n muls r6, r5, r6\n muls r5, r7, r5\n",
+            "subs r4, r4, r5\n sbcs r0, r3\n subs r1, r1, r6\n",
+            "lsls r3, r2, #16\n asrs r2, r2, #16\n subs r4, r4, r3\n sbcs r0, r2\n",
+            "lsls r3, r1, #16\n asrs r1, r1, #16\n adds r4, r4, r3\n adcs r0, r1\n",
+        )
+    };
+}
+
 /// A component of c = r x d, halved into two words at `$at` of the stack.
 macro_rules! cross {
     ($r0:literal, $d1:literal, $r1:literal, $d0:literal, $at:literal) => {
         concat!(
-            minor!(word, $r0, $d1, $r1, $d0),
+            minor!($r0, $d1, $r1, $d0),
             "uxth r1, r0\n asrs r0, r0, #16\n str r1, [sp, #",
             $at,
             "]\n str r0, [sp, #",
