@@ -280,15 +280,9 @@ pub trait Scalar: Copy + Default + Debug + PartialEq + PartialOrd + Send + Sync 
     /// The number `mantissa * 2^exponent`, rounded to the format, and whether the end of the range was met.
     fn from_block(mantissa: Self::Unit, exponent: Self::Exponent) -> (Self, bool);
 
-    /// `v + m j` and `w + I^-1 (r x j)`, which is W j, for the inverse mass m: rounded once a component, and whether a
+    /// `v + m j` and `w + I^-1 (r x j)`, which is W j, for the body's inverse mass m: rounded once a component, and whether a
     /// component met the end of the range.
-    fn kick(
-        motion: (&mut Vec3<Self>, &mut Vec3<Self>),
-        inverse: (Self::Scaled, &SymMat3<Self::Unit>),
-        r: &Vec3<Self>,
-        arm: &Self::Arm,
-        j: &Block<Self>,
-    ) -> bool;
+    fn kick(body: &mut Body<Self>, r: &Vec3<Self>, arm: &Self::Arm, j: &Block<Self>) -> bool;
 
     /// The same number as a [`Scaled`](Self::Scaled), rounded to its 30 bits.
     fn to_scaled(self) -> Self::Scaled;

@@ -12,13 +12,6 @@ pub(super) fn apply_normal<S: Scalar>(a: &mut Body<S>, b: &mut Body<S>, column: 
     S::push(a, away, lever_a, j) | S::push(b, direction, lever_b, j)
 }
 
-/// An impulse `j` at the end of an arm.
-#[inline(always)]
-fn kick<S: Scalar>(body: &mut Body<S>, r: &Vec3<S>, arm: &S::Arm, j: &Block<S>) -> bool {
-    let motion = (&mut body.linear_velocity, &mut body.angular_velocity);
-    S::kick(motion, (body.inv_mass, &body.inv_inertia_world), r, arm, j)
-}
-
 /// An impulse in any direction on `b`, the opposite on `a`.
 #[inline(always)]
 pub(super) fn apply_block<S: Scalar>(
@@ -28,5 +21,5 @@ pub(super) fn apply_block<S: Scalar>(
     arms: [&S::Arm; 2],
     j: &Block<S>,
 ) -> bool {
-    kick(a, r[0], arms[0], &j.opposite()) | kick(b, r[1], arms[1], j)
+    S::kick(a, r[0], arms[0], &j.opposite()) | S::kick(b, r[1], arms[1], j)
 }

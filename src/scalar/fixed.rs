@@ -13,7 +13,7 @@ use super::machine::{self, lever};
 use super::product::{dot, product, unsigned_product};
 use super::scaled32::Scaled32;
 use super::step32::FixedStep;
-use super::stored32::{self, add_block, add_scaled, clip};
+use super::stored32::{self, clip};
 use super::wide::{bits_of, magnitude, units};
 use crate::body::Body;
 #[cfg(multiply = "short")]
@@ -432,19 +432,9 @@ where
         stored32::from_block(mantissa, exponent)
     }
 
-    #[inline(never)]
-    fn kick(
-        (v, w): (&mut Vec3<Self>, &mut Vec3<Self>),
-        (inv_mass, _): (Scaled32, &SymMat3<I2F30>),
-        _: &Vec3<Self>,
-        arm: &Arm32,
-        j: &Block<Self>,
-    ) -> bool {
-        let mantissas = bits_of(&j.mantissas);
-        let fast = add_scaled(v, &j.mantissas, inv_mass.mantissa(), inv_mass.exponent().wrapping_add(j.exponent));
-        let (u, exponent) = arm.turn(mantissas);
-        // `u` in units of 2^exponent and `j` in units of 2^-30 of its own.
-        fast | add_block(w, u, exponent.wrapping_add(j.exponent).wrapping_sub(30))
+    #[inline(always)]
+    fn kick(body: &mut Body<Self>, _: &Vec3<Self>, arm: &Arm32, j: &Block<Self>) -> bool {
+        machine::kick(body, arm, &j.mantissas, j.exponent)
     }
 
     #[inline(always)]

@@ -329,16 +329,15 @@ macro_rules! float_scalar {
 
             #[inline(always)]
             fn kick(
-                (v, w): (&mut Vec3<Self>, &mut Vec3<Self>),
-                (inv_mass, inv_inertia): (Self, &SymMat3<Self>),
+                body: &mut $crate::body::Body<Self>,
                 r: &Vec3<Self>,
                 _: &Self::Arm,
                 j: &Block<Self>,
             ) -> bool {
                 // Read once more, not kept: in between there are more numbers than registers.
                 core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
-                *v += j.mantissas * inv_mass;
-                *w += inv_inertia.times(r.cross(j.mantissas));
+                body.linear_velocity += j.mantissas * body.inv_mass;
+                body.angular_velocity += body.inv_inertia_world.times(r.cross(j.mantissas));
                 false
             }
 

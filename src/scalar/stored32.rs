@@ -4,7 +4,7 @@ use fixed::FixedI32;
 use fixed::types::I2F30;
 use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30};
 
-use super::machine::{self, at_most_31, round_right};
+use super::machine::{at_most_31, round_right};
 use super::product::product;
 use super::scaled32::{Scaled32, shift_product};
 use super::wide::{bits, bits_of, units};
@@ -20,16 +20,6 @@ pub(super) const fn clip(x: i64) -> (i32, bool) {
     } else {
         (x as i32, false)
     }
-}
-
-/// `x + k d` for a block `d` of Q2.30 and components of `x` in units of 2^-frac: rounded once a component, and whether a
-/// component met the end of the range.
-#[inline(always)]
-pub(super) fn add_scaled<Frac>(x: &mut Vec3<FixedI32<Frac>>, d: &Vec3<I2F30>, k: i32, exponent: i32) -> bool
-where
-    Frac: LeEqU32 + IsLessOrEqual<U30, Output = True>,
-{
-    machine::add_scaled(x, d, k, 28i32.wrapping_sub(Frac::I32).wrapping_sub(exponent))
 }
 
 /// `x + d` for a vector `d` in units of 2^exponent, and components of `x` in units of 2^-frac.

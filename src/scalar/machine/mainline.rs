@@ -6,11 +6,14 @@
 #![allow(unsafe_code)]
 
 use core::arch::{asm, naked_asm};
+use core::ptr::{from_mut, from_ref};
 
-use fixed::types::I32F0;
+use fixed::FixedI32;
+use fixed::types::{I2F30, I32F0};
 
 use super::words::add_far;
 use crate::body::Body;
+use crate::math::Vec3;
 use crate::scalar::lever32::Lever32;
 use crate::scalar::scaled32::Scaled32;
 
@@ -219,4 +222,13 @@ pub fn filled(x: u32) -> (u32, u32) {
         );
     }
     (filled, zeros)
+}
+
+/// Adds `d k / 2^(32 + down)` to `x`, rounded once a component; whether a component met the end of the range. The upper half of
+/// `d k` has 29 bits at most.
+#[inline(always)]
+pub fn add_scaled<F>(x: &mut Vec3<FixedI32<F>>, d: &Vec3<I2F30>, k: i32, down: i32) -> bool {
+    // SAFETY: the references are to three words each; the function reads those, writes those of `x` or leaves it to `add_far`,
+    // and keeps to the calling convention.
+    unsafe { add_scaled_words(from_mut(x).cast(), from_ref(d).cast(), k, down) }
 }

@@ -2,12 +2,12 @@
 #![allow(unsafe_code)]
 
 use core::mem::offset_of;
-use core::ptr::{from_mut, from_ref};
+use core::ptr::from_ref;
 
 use fixed::FixedI32;
 use fixed::types::{I2F30, I32F0};
 
-use super::{add_scaled_words, lever_words};
+use super::lever_words;
 use crate::body::Body;
 use crate::math::Vec3;
 use crate::scalar::Scalar;
@@ -32,15 +32,6 @@ where
     // SAFETY: two of the references are to three words each, one is to a body, laid out as the constants above say; the function
     // reads those, writes every field of the lever, which is `repr(C)`, and keeps to the calling convention.
     unsafe { lever_words(from_ref(r).cast(), from_ref(body).cast(), from_ref(d).cast()) }
-}
-
-/// Adds `d k / 2^(32 + down)` to `x`, rounded once a component; whether a component met the end of the range. The upper half of
-/// `d k` has 29 bits at most.
-#[inline(always)]
-pub fn add_scaled<F>(x: &mut Vec3<FixedI32<F>>, d: &Vec3<I2F30>, k: i32, down: i32) -> bool {
-    // SAFETY: the references are to three words each; the function reads those, writes those of `x` or leaves it to `add_far`,
-    // and keeps to the calling convention.
-    unsafe { add_scaled_words(from_mut(x).cast(), from_ref(d).cast(), k, down) }
 }
 
 /// For the few changes that `add_scaled` leaves alone. The format makes no difference.

@@ -15,88 +15,9 @@ use crate::scalar::lever32::Lever32;
 use crate::scalar::machine::words::add_far;
 use crate::scalar::scaled32::Scaled32;
 
-/// d = 2^16 d1 + d0 in r6 and r7, d0 of either sign, so that the middle products of a direction and |k| < 2^31 fit a word together,
-/// and those of |d| < 2^30.5 and |k| < 2^30.
-macro_rules! signed {
-    (asr) => {
-        "asrs"
-    };
-    () => {
-        "sxth r7, r6\n subs r6, r6, r7\n asrs r6, r6, #16\n"
-    };
-}
-
-/// The same with d0 not negative, for |d| < 2^29.8 and |k| < 2^30.
-macro_rules! plain {
-    (asr) => {
-        "lsrs"
-    };
-    () => {
-        "uxth r7, r6\n asrs r6, r6, #16\n"
-    };
-}
-
-/// A component of d k / 2^32 in r6.
-macro_rules! times {
-    ($at:literal, $halves:ident) => {
-        concat!(
-            "ldr r6, [r1, #",
-            $at,
-            "]\n",
-            $halves!(),
-            "mov r2, r7\n muls r2, r4, r2\n ",
-            $halves!(asr),
-            " r2, r2, #16\n muls r7, r5, r7\n adds r7, r7, r2\n",
-            "mov r2, r6\n muls r2, r4, r2\n adds r7, r7, r2\n muls r6, r5, r6\n asrs r7, r7, #16\n adds r6, r6, r7\n",
-        )
-    };
-}
-
-/// The sum of a component of x and r6 / 2^down, rounded, in r2; to `$far` where it leaves the range.
-macro_rules! added {
-    ($at:literal, $far:literal) => {
-        // The last bit that leaves by a shift is the carry, and the half that rounds.
-        concat!("asrs r6, r3\n ldr r2, [r0, #", $at, "]\n adcs r2, r6\n bvs ", $far, "\n")
-    };
-}
-
-/// `add_scaled` for x at r0, d at r1, k in r2 and down in r3; to `$far`, with k in halves in r4 and r5, where it has nothing added.
-macro_rules! add_scaled {
-    ($halves:ident, $far:literal) => {
-        concat!(
-            "uxth r4, r2\n asrs r5, r2, #16\n",
-            times!(0, $halves),
-            "cmp r3, #31\n ble 1f\n movs r3, #31\n 1:\n",
-            added!(0, $far),
-            "mov r12, r2\n",
-            times!(4, $halves),
-            added!(4, $far),
-            "mov lr, r2\n",
-            times!(8, $halves),
-            added!(8, $far),
-            // What shifts by other numbers of places have left is of no use.
-            "cmp r3, #1\n blt ",
-            $far,
-            "\n str r2, [r0, #8]\n mov r2, r12\n mov r3, lr\n stm r0!, {{r2, r3}}\n",
-        )
-    };
-}
-
-/// What `add_scaled` leaves alone: r0 says whether a component met the end of the range. The stack is aligned.
-macro_rules! far {
-    () => {
-        "lsls r2, r5, #16\n adds r2, r2, r4\n bl {far}\n"
-    };
-}
-
 /// `add_scaled` for vectors of three words.
 #[unsafe(naked)]
-pub(in crate::scalar::machine) unsafe extern "C" fn add_scaled_words(
-    x: *mut i32,
-    d: *const i32,
-    k: i32,
-    down: i32,
-) -> bool {
+unsafe extern "C" fn add_scaled_words(x: *mut i32, d: *const i32, k: i32, down: i32) -> bool {
     naked_asm!(
         "push {{r1-r7, lr}}",
         add_scaled!(signed, "2f"),
