@@ -38,7 +38,7 @@ fn sweep<S: carom::Scalar>(name: &str) {
     let mut words = Words(1);
     let mut hash = StateHash::new();
     let mut rubbed = StateHash::new();
-    let [mut struck, mut saturated, mut immovable, mut stuck, mut slid] = [0u32; 5];
+    let [mut struck, mut saturated, mut immovable, mut stuck, mut slid, mut met] = [0u32; 6];
     for turn in 0..6_000 {
         let (mut a, mut b) = (words.body::<S>(turn), words.body::<S>(turn / 8));
         let contact = words.contact::<S>(turn);
@@ -47,8 +47,10 @@ fn sweep<S: carom::Scalar>(name: &str) {
             let (mut a, mut b) = (a, b);
             let impact = resolve_collision_with_friction(&mut a, &mut b, &contact, &material);
             rubbed.add(impact.normal_impulse);
+            rubbed.add_vec3(impact.friction_impulse);
             rubbed.add_body(&a);
             rubbed.add_body(&b);
+            met += u32::from(impact.saturated);
             stuck += u32::from(impact.outcome == Outcome::Stuck);
             slid += u32::from(impact.outcome == Outcome::Slid);
         }
@@ -66,7 +68,7 @@ fn sweep<S: carom::Scalar>(name: &str) {
     }
     let hash = hash.get();
     board::println!("{} {:#018x}: {} struck, {} saturated, {} immovable", name, hash, struck, saturated, immovable);
-    board::println!("{} {:#018x} with friction: {} stuck, {} slid", name, rubbed.get(), stuck, slid);
+    board::println!("{} {:#018x} with friction: {} stuck, {} slid, {} saturated", name, rubbed.get(), stuck, slid, met);
 }
 
 /// Words of every length: xorshift (Marsaglia, 2003), each shifted by a random number of places.
