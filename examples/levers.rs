@@ -94,12 +94,16 @@ impl Words {
         S::from_ratio(self.next() & 255, 255).unwrap_or(S::ONE)
     }
 
-    /// In every sixteenth vector nothing but extremes, in others words of a third of the length.
+    /// In every sixteenth vector nothing but extremes, in the next words of full length, in others words of a third of it.
     fn vector<S: carom::Scalar>(&mut self, turn: u32) -> carom::Vec3<S> {
         const EXTREMES: [i32; 8] = [0, 0, 1, -1, -2, i32::MAX, i32::MIN, 1 << 30];
         let mut component = || {
             let word = self.next();
-            let bits = if turn.is_multiple_of(16) { EXTREMES[(word & 7) as usize] } else { word >> (turn % 3 * 10) };
+            let bits = match turn % 16 {
+                0 => EXTREMES[(word & 7) as usize],
+                1 => self.0 as i32,
+                _ => word >> (turn % 3 * 10),
+            };
             S::STEP.times_integer(bits)
         };
         carom::Vec3::new(component(), component(), component())
