@@ -135,23 +135,26 @@ pub(crate) fn wide_quotient(n: u32, d: u32, shift: u32) -> Option<u32> {
     let mut r = wide.wrapping_sub(q.wrapping_mul(d as u64)) as i64;
     let divisor = d as i64;
     // Cutting both to 30 bits moved the estimate by at most six units of 2^31, the shift by one. Eight too few, the
-    // remainder is positive; the rest is a comparison a binary digit. (Written as a loop that subtracts, the compiler
-    // makes a 64-bit division of it.)
+    // remainder is positive; the rest is a comparison a binary digit. (Of a loop that subtracts the compiler makes a 64-bit
+    // division, and a loop at all it leaves as it is where size counts.)
     q = q.wrapping_sub(8);
     r = r.wrapping_add(divisor.wrapping_shl(3));
-    let (mut part, mut digit) = (divisor.wrapping_shl(4), 16);
-    while digit > 0 {
-        if r >= part {
-            q = q.wrapping_add(digit);
-            r = r.wrapping_sub(part);
-        }
-        part >>= 1;
-        digit >>= 1;
-    }
+    (q, r) = digit(q, r, divisor, 4);
+    (q, r) = digit(q, r, divisor, 3);
+    (q, r) = digit(q, r, divisor, 2);
+    (q, r) = digit(q, r, divisor, 1);
+    (q, r) = digit(q, r, divisor, 0);
     if r.wrapping_shl(1) >= divisor {
         q = q.wrapping_add(1);
     }
     if q > i32::MAX as u64 { None } else { Some(q as u32) }
+}
+
+/// A binary digit of a quotient: q and what remains, with 2^place more of the divisor in q where that many remain.
+#[inline(always)]
+const fn digit(q: u64, r: i64, divisor: i64, place: u32) -> (u64, i64) {
+    let part = divisor.wrapping_shl(place);
+    if r >= part { (q.wrapping_add(1 << place), r.wrapping_sub(part)) } else { (q, r) }
 }
 
 /// The leading 30 bits of `x > 0`, in `[2^29, 2^30)`, cut off below.
@@ -208,19 +211,24 @@ fn floor_sqrt(x: u64) -> u32 {
     let rest = n.wrapping_sub(root.wrapping_mul(root)) as i64;
     root = root.wrapping_add((((rest >> 12).wrapping_mul(y2_q30 as i64)) >> 51) as u64);
     let mut rest = n.wrapping_sub(root.wrapping_mul(root)) as i64;
-    let mut turn = 0;
-    while turn < 2 {
-        if rest < 0 {
-            root = root.wrapping_sub(1);
-            rest = rest.wrapping_add((root as i64).wrapping_mul(2).wrapping_add(1));
-        }
-        if rest > (root as i64).wrapping_mul(2) {
-            rest = rest.wrapping_sub((root as i64).wrapping_mul(2).wrapping_add(1));
-            root = root.wrapping_add(1);
-        }
-        turn += 1;
-    }
+    (root, rest) = nearer(root, rest);
+    (root, _) = nearer(root, rest);
     (root as u32).wrapping_shr(places / 2)
+}
+
+/// A root at most one unit nearer to the one cut to an integer, and what remains.
+#[inline(always)]
+const fn nearer(root: u64, rest: i64) -> (u64, i64) {
+    let (mut root, mut rest) = (root, rest);
+    if rest < 0 {
+        root = root.wrapping_sub(1);
+        rest = rest.wrapping_add((root as i64).wrapping_mul(2).wrapping_add(1));
+    }
+    if rest > (root as i64).wrapping_mul(2) {
+        rest = rest.wrapping_sub((root as i64).wrapping_mul(2).wrapping_add(1));
+        root = root.wrapping_add(1);
+    }
+    (root, rest)
 }
 
 /// The square root of `x`, rounded to the nearest integer (a tie cannot happen); `u32::MAX` where that is 2^32.
