@@ -113,7 +113,10 @@ pub fn dispatch<J: Job>(job: &J) -> Exit {
     }
     let _ = (job, each);
     board::println!("this build does not hold the number type {}", wanted.unwrap_or("(none)"));
-    board::println!("build with --features f32, fixed, f64 or micromath");
+    if J::LARGE && cfg!(target_os = "none") {
+        board::println!("firmware of this example leaves i8f24 out: three fixed-point formats do not fit the flash");
+    }
+    board::println!("the features f32, fixed, f64 and micromath bring theirs");
     Exit::Failure
 }
 
