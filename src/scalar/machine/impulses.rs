@@ -8,12 +8,11 @@ use crate::body::Body;
 use crate::math::Vec3;
 use crate::scalar::arm32::Arm32;
 use crate::scalar::lever32::Lever32;
+use crate::scalar::machine;
 use crate::scalar::product::product;
 use crate::scalar::scaled32::Scaled32;
 use crate::scalar::stored32::add_block;
 use crate::scalar::wide::{bits, narrow};
-
-use super::add_scaled as add_product;
 
 /// `x + k d` for a block `d` of Q2.30 and components of `x` in units of 2^-frac: rounded once a component, and whether a
 /// component met the end of the range.
@@ -22,7 +21,7 @@ fn add_scaled<F>(x: &mut Vec3<FixedI32<F>>, d: &Vec3<I2F30>, k: i32, exponent: i
 where
     F: LeEqU32 + IsLessOrEqual<U30, Output = True>,
 {
-    add_product(x, d, k, 28i32.wrapping_sub(F::I32).wrapping_sub(exponent))
+    machine::add_scaled(x, d, k, 28i32.wrapping_sub(F::I32).wrapping_sub(exponent))
 }
 
 /// Adds an impulse j along d to a body's velocity, and to its angular velocity by the lever; whether a component met the end of
@@ -40,8 +39,7 @@ where
     met | add_scaled(&mut body.angular_velocity, u, q, j.exponent().wrapping_add(exponent))
 }
 
-/// Adds an impulse of units of 2^exponent at the end of an arm to both velocities of a body; whether a component met the end of the
-/// range.
+/// Adds the impulse `j 2^exponent` at the end of an arm to both velocities of a body; whether a component met the end of the range.
 #[inline(never)]
 pub fn kick<F>(body: &mut Body<FixedI32<F>>, arm: &Arm32, j: &Vec3<I2F30>, exponent: i32) -> bool
 where

@@ -157,7 +157,7 @@ unsafe extern "C" fn kick_words(body: *mut Body<I32F0>, arm: *const Arm32, j: *c
     )
 }
 
-/// What a kick adds to the angular velocity, where it is fast or sums of middle products are large.
+/// What a kick adds to the angular velocity, where that is fast or a sum of middle products leaves its word. The format is in `base`.
 #[cold]
 extern "C" fn add_far_turn(body: &mut Body<I32F0>, arm: &Arm32, j: &Vec3<I2F30>, base: i32) -> bool {
     let (u, exponent) = arm.turn(bits(j));
