@@ -9,7 +9,7 @@ use super::arm32::{self, Arm32};
 use super::contact32::{Contact32, Impulse32};
 use super::integer::{inverse_root, leading_zeros, long_quotient, round_shift, round_sqrt, wide_quotient};
 use super::lever32::{self, Lever32};
-use super::machine::{self, lever};
+use super::machine::{self, lever, round_product};
 use super::product::{dot, product, unsigned_product};
 use super::scaled32::Scaled32;
 use super::step32::FixedStep;
@@ -29,7 +29,7 @@ use crate::math::{Block, BlockImpulse, SymBlock, SymMat3, Vec3};
 /// result that fits needs less than 2^61: the wrapped sum is never taken for a good one, and only the cold path has to
 /// find the true sign.
 #[inline(always)]
-fn narrow_sum(p: i64, q: i64, r: i64, frac: u32) -> i32 {
+fn narrow_sum([p, q, r]: [i64; 3], frac: u32) -> i32 {
     let rounded = round_shift(p.wrapping_add(q).wrapping_add(r), frac);
     if rounded as i32 as i64 == rounded { rounded as i32 } else { end_of_range(p, q, r) }
 }
@@ -62,7 +62,7 @@ fn headroom(v: [i32; 3]) -> i32 {
 }
 
 #[inline(always)]
-const fn move_left(x: i32, places: i32) -> i32 {
+fn move_left(x: i32, places: i32) -> i32 {
     if places >= 0 { x.wrapping_shl(places as u32) } else { round_shift(x as i64, places.unsigned_abs()) as i32 }
 }
 
@@ -164,7 +164,7 @@ where
 
     #[inline(always)]
     fn times(self, other: Self) -> Self {
-        Self::from_bits(narrow_sum(product(self.to_bits(), other.to_bits()), 0, 0, Frac::U32))
+        Self::from_bits(round_product::<Frac>(product(self.to_bits(), other.to_bits())))
     }
 
     #[inline]
@@ -189,20 +189,19 @@ where
     #[inline(always)]
     fn dot3(a: [Self; 3], b: [Self; 3]) -> Self {
         let (a, b) = (bits3(a), bits3(b));
-        Self::from_bits(narrow_sum(product(a[0], b[0]), product(a[1], b[1]), product(a[2], b[2]), Frac::U32))
+        Self::from_bits(narrow_sum([product(a[0], b[0]), product(a[1], b[1]), product(a[2], b[2])], Frac::U32))
     }
 
     #[inline(always)]
     fn det2(a: Self, b: Self, c: Self, d: Self) -> Self {
-        // A product is at most 2^62, so its negative is exact.
-        let minus = product(b.to_bits(), c.to_bits()).wrapping_neg();
-        Self::from_bits(narrow_sum(product(a.to_bits(), d.to_bits()), minus, 0, Frac::U32))
+        let difference = product(a.to_bits(), d.to_bits()).wrapping_sub(product(b.to_bits(), c.to_bits()));
+        Self::from_bits(round_product::<Frac>(difference))
     }
 
     #[inline(always)]
     fn dot3_unit(v: [Self; 3], d: [I2F30; 3]) -> Self {
         let (v, d) = (bits3(v), bits3(d));
-        Self::from_bits(narrow_sum(product(v[0], d[0]), product(v[1], d[1]), product(v[2], d[2]), 30))
+        Self::from_bits(narrow_sum([product(v[0], d[0]), product(v[1], d[1]), product(v[2], d[2])], 30))
     }
 
     #[inline]
@@ -253,7 +252,7 @@ where
 
     #[inline(always)]
     fn times_unit(self, d: I2F30) -> Self {
-        Self::from_bits(narrow_sum(product(self.to_bits(), d.to_bits()), 0, 0, 30))
+        Self::from_bits(round_product::<U30>(product(self.to_bits(), d.to_bits())))
     }
 
     #[inline(always)]

@@ -4,6 +4,7 @@
 //! with `overflow-checks` contains no panic. There is one rounding: to the nearest, ties away from zero, which is
 //! symmetric under a change of sign.
 
+use super::machine::plus_sign;
 use super::product::{product, unsigned_product};
 
 /// How many leading digits of `x` are zero; 32 for zero.
@@ -25,13 +26,13 @@ pub(super) fn leading_zeros64(x: u64) -> u32 {
 
 /// `x / 2^s` rounded. `s` in `0..=62`; |x| < 2^63 - 2^(s-1).
 #[inline(always)]
-pub(crate) const fn round_shift(x: i64, s: u32) -> i64 {
+pub(crate) fn round_shift(x: i64, s: u32) -> i64 {
     if s == 0 {
         return x;
     }
     let half = 1i64.wrapping_shl(s.wrapping_sub(1));
-    // The sign bit turns "ties up" into "ties away from zero".
-    x.wrapping_add(half).wrapping_add(x >> 63).wrapping_shr(s)
+    // The sign turns "ties up" into "ties away from zero".
+    plus_sign(x).wrapping_add(half).wrapping_shr(s)
 }
 
 /// Seeds of the reciprocal: `2^16 / (129 + 2i) - 256`, the reciprocal of the middle of the i-th of 64 intervals that
@@ -87,7 +88,8 @@ pub(crate) fn long_quotient(n: u32, d: u32) -> u32 {
 #[inline(always)]
 pub(crate) fn quotient(n: u32, d: u32, k: u32) -> u32 {
     let x = reciprocal(d << 2);
-    let mut q = unsigned_product(n, x).wrapping_shr(60u32.wrapping_sub(k)) as u32;
+    // Of 31 bits at most after 30 places.
+    let mut q = ((unsigned_product(n, x) >> 30) as u32).wrapping_shr(30u32.wrapping_sub(k));
     // Below 2^36 in magnitude: the correction is its high part times the reciprocal.
     let rest = (n as u64).wrapping_shl(k).wrapping_sub(unsigned_product(q, d)) as i64;
     let step = (product((rest >> 8) as i32, (x >> 1) as i32) >> 51) as i32;
@@ -115,7 +117,8 @@ pub(crate) fn wide_quotient(n: u32, d: u32, shift: u32) -> Option<u32> {
     if n == 0 {
         return Some(0);
     }
-    let wide = (n as u64).wrapping_shl(shift);
+    // By halves: where size counts, the compiler calls a function to shift 64 bits.
+    let wide = ((n >> 1).wrapping_shr(31 ^ shift) as u64) << 32 | n.wrapping_shl(shift) as u64;
     let (n_zeros, d_zeros) = (leading_zeros(n), leading_zeros(d));
     // floor(log2) of the quotient, or one more.
     let magnitude = (shift as i32).wrapping_add(d_zeros as i32).wrapping_sub(n_zeros as i32);
@@ -125,14 +128,15 @@ pub(crate) fn wide_quotient(n: u32, d: u32, shift: u32) -> Option<u32> {
     // An estimate from the leading 30 bits of both.
     let n30 = leading30(n, n_zeros);
     let d30 = leading30(d, d_zeros);
-    let q30 = quotient(n30, d30, 30) as u64;
+    let q30 = quotient(n30, d30, 30);
+    // -1 at least, for which 31 bits still have room.
     let down = 30i32.wrapping_sub(magnitude);
-    let mut q = if down >= 0 {
-        if down > 62 { 0 } else { q30.wrapping_shr(down as u32) }
-    } else {
-        q30.wrapping_shl(down.unsigned_abs())
+    let mut q = match down {
+        ..0 => q30.wrapping_shl(1),
+        0..32 => q30.wrapping_shr(down as u32),
+        32.. => 0,
     };
-    let mut r = wide.wrapping_sub(q.wrapping_mul(d as u64)) as i64;
+    let mut r = wide.wrapping_sub(unsigned_product(q, d)) as i64;
     let divisor = d as i64;
     // Cutting both to 30 bits moved the estimate by at most six units of 2^31, the shift by one. Eight too few, the
     // remainder is positive; the rest is a comparison a binary digit. (Of a loop that subtracts the compiler makes a 64-bit
@@ -147,12 +151,12 @@ pub(crate) fn wide_quotient(n: u32, d: u32, shift: u32) -> Option<u32> {
     if r.wrapping_shl(1) >= divisor {
         q = q.wrapping_add(1);
     }
-    if q > i32::MAX as u64 { None } else { Some(q as u32) }
+    if q > i32::MAX as u32 { None } else { Some(q) }
 }
 
 /// A binary digit of a quotient: q and what remains, with 2^place more of the divisor in q where that many remain.
 #[inline(always)]
-const fn digit(q: u64, r: i64, divisor: i64, place: u32) -> (u64, i64) {
+const fn digit(q: u32, r: i64, divisor: i64, place: u32) -> (u32, i64) {
     let part = divisor.wrapping_shl(place);
     if r >= part { (q.wrapping_add(1 << place), r.wrapping_sub(part)) } else { (q, r) }
 }

@@ -9,6 +9,7 @@ use core::arch::{asm, naked_asm};
 use core::ptr::{from_mut, from_ref};
 
 use fixed::FixedI32;
+use fixed::types::extra::Unsigned;
 use fixed::types::{I2F30, I32F0};
 
 use super::words::add_far;
@@ -16,6 +17,7 @@ use crate::body::Body;
 use crate::math::Vec3;
 use crate::scalar::lever32::Lever32;
 use crate::scalar::scaled32::Scaled32;
+use crate::scalar::stored32::clip;
 
 /// A lever; `r` and `d` point to three words each.
 #[unsafe(naked)]
@@ -204,6 +206,65 @@ pub fn shift_left(x: i64, places: u32) -> i32 {
         );
     }
     high
+}
+
+/// One less, where `x` is below zero.
+#[inline(always)]
+pub fn plus_sign(x: i64) -> i64 {
+    let (mut low, mut high) = (x as u32, (x >> 32) as i32);
+    // SAFETY: reads and writes the declared registers and the flags, and touches neither memory nor stack.
+    unsafe {
+        asm!(
+            "adds {low}, {low}, {high}, asr #31",
+            "adc {high}, {high}, {high}, asr #31",
+            low = inout(reg) low,
+            high = inout(reg) high,
+            options(pure, nomem, nostack),
+        );
+    }
+    (high as i64) << 32 | low as i64
+}
+
+/// `x / 2^Frac` rounded and clipped, for a product of 32-bit numbers or the difference of two, and 30 places at most.
+///
+/// Of two products of the lowest numbers the difference is nearest to the end of 64 bits: it leaves 2^31, more than rounding
+/// adds.
+#[inline(always)]
+pub fn round_product<Frac: Unsigned>(x: i64) -> i32 {
+    if Frac::U32 == 0 {
+        return clip(x).0;
+    }
+    let (mut low, high) = (x as u32, (x >> 32) as i32);
+    // SAFETY: reads and writes the declared registers and the flags, and touches neither memory nor stack.
+    unsafe {
+        asm!(
+            // Less one where below zero, and a half.
+            "adds {low}, {low}, {high}, asr #31",
+            "adc {rest}, {high}, {high}, asr #31",
+            "adds {low}, {low}, #{half}",
+            "adc {rest}, {rest}, #0",
+            "lsr {low}, {low}, #{places}",
+            "orr {low}, {low}, {rest}, lsl #(32 - {places})",
+            // What is left above has to be the sign.
+            "asr {rest}, {rest}, #{places}",
+            "teq {rest}, {low}, asr #31",
+            "itt ne",
+            "mvnne {low}, #0x80000000",
+            "eorne {low}, {low}, {high}, asr #31",
+            low = inout(reg) low,
+            high = in(reg) high,
+            rest = out(reg) _,
+            half = const 1u32 << (at_least_1(Frac::U32) - 1),
+            places = const at_least_1(Frac::U32),
+            options(pure, nomem, nostack),
+        );
+    }
+    low as i32
+}
+
+/// So that instructions that nothing runs can be assembled.
+const fn at_least_1(places: u32) -> u32 {
+    if places == 0 { 1 } else { places }
 }
 
 /// A number above zero moved left until it fills 32 bits, and by how many places.
