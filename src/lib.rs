@@ -156,7 +156,7 @@ pub use math::{Block, BlockImpulse, Mat3, Pose, Quat, SymBlock, SymMat3, UnitVec
 pub use query::{Ray, RayHit, SurfacePoint};
 #[cfg(feature = "fixed")]
 pub use scalar::Scaled32;
-pub use scalar::{Column, Scalar, Scaled, StepArithmetic, Weights};
+pub use scalar::{Column, Scalar, Scaled, StepArithmetic, Velocity, Weights};
 pub use shape::{
     Capsule, Closest, Collide, Compound, ConvexHull, Cuboid, HalfSpace, HeightField, MAX_CORNERS, MAX_FACE_CORNERS,
     ManifoldSink, Member, OutlineSink, Part, Shape, Sphere,

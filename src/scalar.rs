@@ -50,7 +50,7 @@ mod wide;
 
 #[cfg(feature = "fixed")]
 pub use self::scaled32::Scaled32;
-pub use self::step::{Column, StepArithmetic, Weights};
+pub use self::step::{Column, StepArithmetic, Velocity, Weights};
 
 /// A number type of the kernel, with the family of formats that goes with it.
 ///

@@ -1,6 +1,10 @@
 //! `f32`: the square root from the FPU where the target has one, from `libm` elsewhere. Both are correctly rounded.
 
 use super::float::float_scalar;
+#[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
+use super::float_step::rows;
+#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+use super::fpu::rows;
 
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 use super::fpu::sqrt;
@@ -13,6 +17,7 @@ fn power_of_two(exponent: i32) -> f32 {
 }
 
 float_scalar!(f32,
+    rows: rows,
     sqrt: sqrt,
     int: |n: i32| n as f32,
     cut: |x: f32| x as i32,

@@ -1,6 +1,7 @@
 //! `f64`: for hosts, and for parts with a double-precision unit.
 
 use super::float::float_scalar;
+use super::float_step::rows;
 
 #[inline(always)]
 fn power_of_two(exponent: i32) -> f64 {
@@ -8,6 +9,7 @@ fn power_of_two(exponent: i32) -> f64 {
 }
 
 float_scalar!(f64,
+    rows: rows,
     sqrt: libm::sqrt,
     int: |n: i32| f64::from(n),
     cut: |x: f64| x as i32,

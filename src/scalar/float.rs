@@ -23,11 +23,11 @@ pub struct FloatArm<T> {
 /// Implements `Scalar` and `Scaled` for a float: `$sqrt` is its square root, `$int` makes one of an `i32`, `$cut` the other way,
 /// `$bits` gives the stored bits, `$power` is two to an exponent that is in the normal range.
 macro_rules! float_scalar {
-    ($float:ty, sqrt: $sqrt:expr, int: $int:expr, cut: $cut:expr, bits: $bits:expr, power: $power:expr, max_exponent: $max_exponent:expr,
+    ($float:ty, rows: $rows:ident, sqrt: $sqrt:expr, int: $int:expr, cut: $cut:expr, bits: $bits:expr, power: $power:expr, max_exponent: $max_exponent:expr,
      zero: $zero:expr, one: $one:expr, largest: $largest:expr, pi: $pi:expr, epsilon: $epsilon:expr, small: $small:expr,
      finite: $finite:expr) => {
         use super::float::{FloatArm, FloatLever};
-        $crate::scalar::float_step::float_step!($float, sqrt: $sqrt, zero: $zero, one: $one, half: $one / ($one + $one));
+        $crate::scalar::float_step::float_step!($float, rows: $rows, sqrt: $sqrt, zero: $zero, one: $one, half: $one / ($one + $one));
         use $crate::math::{Block, BlockImpulse, SymBlock, SymMat3, Vec3};
 
         /// One, or the power of two that brings a vector with squares beyond the range into it.

@@ -1,5 +1,9 @@
 //! The arithmetic of a step in floating point: plain operations, each rounded once, in the order written.
 
+// Of `f32` the FPU does what is there itself.
+#[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(any(feature = "f64", feature = "micromath")))))]
+pub(super) mod rows;
+
 use crate::math::Vec3;
 
 /// The arithmetic of a step for a float.
@@ -13,23 +17,30 @@ pub struct FloatLevers<T> {
     pub(super) turns: [Vec3<T>; 3],
 }
 
+/// How far a contact is along the normal, rho, and rho/I.
+#[derive(Clone, Copy, Debug)]
+pub struct FloatBall<T> {
+    pub(super) reach: T,
+    pub(super) turn: T,
+}
+
 /// Implements `StepArithmetic` for a float: `$half` is 1/2.
 macro_rules! float_step {
-    ($float:ty, sqrt: $sqrt:expr, zero: $zero:expr, one: $one:expr, half: $half:expr) => {
-        use super::float_step::{FloatLevers, FloatStep};
-        use super::step::{Column, StepArithmetic, Weights};
+    ($float:ty, rows: $rows:ident, sqrt: $sqrt:expr, zero: $zero:expr, one: $one:expr, half: $half:expr) => {
+        use super::float_step::{FloatBall, FloatLevers, FloatStep};
+        use super::step::{Column, StepArithmetic, Velocity, Weights};
 
         impl StepArithmetic<$float> for FloatStep {
             type Places = ();
             type Rest = ();
             type Ratio = $float;
             type Levers = FloatLevers<$float>;
+            type Ball = FloatBall<$float>;
 
             const NO_PLACES: () = ();
             const MOST_PLACES: () = ();
             const NO_REST: () = ();
             const NO_RATIO: $float = $zero;
-            const EVEN: [$float; 3] = [$one, $zero, $one];
 
             #[inline(always)]
             fn size(_: $float, (): ()) {}
@@ -138,19 +149,37 @@ macro_rules! float_step {
             }
 
             #[inline(always)]
-            fn round_columns(
-                [x, y]: &[Vec3<$float>; 2],
-                [reach, turn]: [$float; 2],
-                (): (),
-                [first, second]: [&mut Column<$float>; 2],
-            ) {
-                (first.arm, first.turn) = (*y * reach, *y * turn);
-                (second.arm, second.turn) = (*x * -reach, *x * -turn);
+            fn ball(r: &Vec3<$float>, d: &Vec3<$float>, inv_inertia: $float, (): ()) -> Self::Ball {
+                let reach = r.dot(*d);
+                FloatBall { reach, turn: reach * inv_inertia }
             }
 
             #[inline(always)]
-            fn ratio(x: $float) -> $float {
-                x
+            fn ball_weights(sides: [Option<(&Self::Ball, $float)>; 2], friction: $float) -> Weights<$float> {
+                let (mut normal, mut tangent) = ($zero, $zero);
+                for (&FloatBall { reach, turn }, inv_mass) in sides.into_iter().flatten() {
+                    normal += inv_mass;
+                    tangent += inv_mass + reach * turn;
+                }
+                let (inv_normal, inv_tangent) = ($one / normal, $one / tangent);
+                let block = [$one, $zero, $one];
+                Weights { inv_normal, inv_tangent, block, friction: friction * tangent * inv_normal }
+            }
+
+            #[inline(always)]
+            fn ball_columns(
+                ball: &Self::Ball,
+                inv_mass: $float,
+                weights: &Weights<$float>,
+                (): (),
+                [x, y]: &[Vec3<$float>; 2],
+                [normal, first, second]: [&mut Column<$float>; 3],
+            ) {
+                let (reach, turn, share) =
+                    (ball.reach, ball.turn * weights.inv_tangent, inv_mass * weights.inv_tangent);
+                normal.share = inv_mass * weights.inv_normal;
+                *first = Column { arm: *y * reach, turn: *y * turn, share };
+                *second = Column { arm: *x * -reach, turn: *x * -turn, share };
             }
 
             #[inline(always)]
@@ -159,43 +188,28 @@ macro_rules! float_step {
             }
 
             #[inline(always)]
-            fn lone_speed(d: &Vec3<$float>, v: &Vec3<$float>, w: &Vec3<$float>, column: &Column<$float>) -> $float {
-                v.dot(*d) + w.dot(column.arm)
+            fn lone_speed(d: &Vec3<$float>, body: &Velocity<$float>, column: &Column<$float>) -> $float {
+                $rows::lone_speed(d, body, column)
             }
 
             #[inline(always)]
-            fn pair_speed(
-                d: &Vec3<$float>,
-                v: [&Vec3<$float>; 2],
-                w: [&Vec3<$float>; 2],
-                columns: [&Column<$float>; 2],
-            ) -> $float {
-                // The difference first: in a common drift, the speeds are large and their difference small.
-                (*v[1] - *v[0]).dot(*d) + (w[0].dot(columns[0].arm) + w[1].dot(columns[1].arm))
+            fn pair_speed(d: &Vec3<$float>, bodies: [&Velocity<$float>; 2], columns: &[Column<$float>; 2]) -> $float {
+                $rows::pair_speed(d, bodies, columns)
             }
 
             #[inline(always)]
-            fn push(
-                v: &mut Vec3<$float>,
-                w: &mut Vec3<$float>,
+            fn push(body: &mut Velocity<$float>, d: &Vec3<$float>, column: &Column<$float>, impulse: $float) {
+                $rows::push(body, d, column, impulse)
+            }
+
+            #[inline(always)]
+            fn push_pair(
+                bodies: [&mut Velocity<$float>; 2],
                 d: &Vec3<$float>,
-                column: &Column<$float>,
+                columns: &[Column<$float>; 2],
                 impulse: $float,
             ) {
-                *v += *d * (column.share * impulse);
-                *w += column.turn * impulse;
-            }
-
-            #[inline(always)]
-            fn pull(
-                v: &mut Vec3<$float>,
-                w: &mut Vec3<$float>,
-                d: &Vec3<$float>,
-                column: &Column<$float>,
-                impulse: $float,
-            ) {
-                *v -= *d * (column.share * impulse);
-                *w += column.turn * impulse;
+                $rows::push_pair(bodies, d, columns, impulse)
             }
 
             #[inline]
@@ -215,8 +229,13 @@ macro_rules! float_step {
             }
 
             #[inline(always)]
+            fn central_speed(d: &Vec3<$float>, v: [&Vec3<$float>; 2]) -> $float {
+                $rows::central_speed(d, v)
+            }
+
+            #[inline(always)]
             fn thrust(v: &mut Vec3<$float>, d: &Vec3<$float>, share: $float, impulse: $float) {
-                *v += *d * (share * impulse);
+                $rows::thrust(v, d, share, impulse)
             }
 
             #[inline(always)]

@@ -1,5 +1,7 @@
-//! The square root of the floating-point unit: an island of `unsafe`.
+//! The floating-point unit's own instructions, an island of `unsafe`: its square root, and rows of the solver.
 #![allow(unsafe_code)]
+
+pub(super) mod rows;
 
 use core::arch::asm;
 

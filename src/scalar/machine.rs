@@ -8,10 +8,14 @@ mod impulses;
 mod mainline;
 #[cfg(not(any(multiply = "long", multiply = "short")))]
 mod portable;
+#[cfg(any(multiply = "long", multiply = "short"))]
+mod row_words;
 #[cfg(not(multiply = "short"))]
 mod rows;
 #[cfg(not(multiply = "long"))]
 mod shifts;
+#[cfg(not(multiply = "long"))]
+mod speeds;
 #[cfg(any(multiply = "long", multiply = "short"))]
 mod words;
 
@@ -23,9 +27,13 @@ pub(super) use impulses::*;
 pub(super) use mainline::*;
 #[cfg(not(any(multiply = "long", multiply = "short")))]
 pub(super) use portable::*;
+#[cfg(any(multiply = "long", multiply = "short"))]
+pub(super) use row_words::*;
 #[cfg(not(multiply = "short"))]
 pub(super) use rows::*;
 #[cfg(not(multiply = "long"))]
 pub(super) use shifts::*;
+#[cfg(not(any(multiply = "long", multiply = "short")))]
+pub(super) use speeds::*;
 #[cfg(any(multiply = "long", multiply = "short"))]
 pub(super) use words::*;

@@ -4,6 +4,7 @@
 use micromath::F32;
 
 use super::float::float_scalar;
+use super::float_step::rows;
 
 #[inline]
 fn sqrt(x: F32) -> F32 {
@@ -40,6 +41,7 @@ fn power_of_two(exponent: i32) -> F32 {
 }
 
 float_scalar!(F32,
+    rows: rows,
     sqrt: sqrt,
     int: |n: i32| F32(n as f32),
     cut: |x: F32| x.0 as i32,

@@ -52,6 +52,17 @@ impl Scaled32 {
         Self { mantissa: (q.mantissa ^ sign).wrapping_sub(sign), exponent: q.exponent }
     }
 
+    /// `x / d` for `d > 0`, to 2^-28.
+    #[inline(always)]
+    pub(super) fn near_quotient(x: Self, d: Self) -> Self {
+        if x.mantissa == 0 {
+            return x;
+        }
+        let sign = x.mantissa >> 31;
+        let q = Self::leading_quotient((x.mantissa.unsigned_abs(), x.exponent), (d.mantissa as u32, d.exponent));
+        Self { mantissa: (q.mantissa ^ sign).wrapping_sub(sign), exponent: q.exponent }
+    }
+
     /// The quotient of two numbers above zero with exponents, `m 2^(e - 30)` each, to 2^-28.
     #[inline(always)]
     pub(super) fn leading_quotient((n, n_exponent): (u32, i32), (d, d_exponent): (u32, i32)) -> Self {

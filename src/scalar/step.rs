@@ -12,6 +12,7 @@ use crate::math::{SymMat3, Vec3};
 
 /// What a row does to one body, and what it sees of the body's spin, along the body's own direction away from the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Column<S: Scalar> {
     /// r x d: what of the spin is speed along the direction.
     pub arm: Vec3<S::Unit>,
@@ -19,6 +20,33 @@ pub struct Column<S: Scalar> {
     pub turn: Vec3<S::Unit>,
     /// (1/m)/K: the change of velocity along the direction for an impulse of one.
     pub share: S::Unit,
+}
+
+/// A linear and an angular velocity, in the units of the step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Velocity<S: Scalar> {
+    /// Of the centre of mass.
+    pub v: Vec3<S>,
+    /// The spin.
+    pub w: Vec3<S>,
+}
+
+impl<S: Scalar> Velocity<S> {
+    /// At rest.
+    pub const ZERO: Self = Self { v: Vec3::ZERO, w: Vec3::ZERO };
+
+    /// The sum.
+    #[inline(always)]
+    pub fn plus(&self, other: &Self) -> Self {
+        Self { v: self.v + other.v, w: self.w + other.w }
+    }
+
+    /// The difference.
+    #[inline(always)]
+    pub fn minus(&self, other: &Self) -> Self {
+        Self { v: self.v - other.v, w: self.w - other.w }
+    }
 }
 
 impl<S: Scalar> Column<S> {
@@ -51,6 +79,8 @@ pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 's
     type Ratio: Copy + Default + Debug + PartialEq + Send + Sync + 'static;
     /// r x d and I^-1 (r x d) of any magnitude, in three directions.
     type Levers: Copy + Debug + Send + Sync + 'static;
+    /// How far a contact is along the normal, rho, and rho/I.
+    type Ball: Copy + Debug + Send + Sync + 'static;
 
     /// None.
     const NO_PLACES: Self::Places;
@@ -60,8 +90,6 @@ pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 's
     const NO_REST: Self::Rest;
     /// Zero.
     const NO_RATIO: Self::Ratio;
-    /// The symmetric 2x2 matrix that changes nothing.
-    const EVEN: [Self::Ratio; 3];
 
     /// The places of a body's spin beyond those of speeds: a size of the body from its mass and inertia.
     fn size(inv_mass: S::Scaled, exponent: S::Exponent) -> Self::Places;
@@ -109,31 +137,37 @@ pub trait StepArithmetic<S: Scalar>: Copy + Debug + PartialEq + Send + Sync + 's
 
     /// Whether `r` is along the direction: what is across it is no more than rounding makes of an arm along it.
     fn is_along(r: &Vec3<S>, d: &Vec3<S::Unit>) -> bool;
-    /// Writes arms and turns of the columns of a ball that touches at `reach` along a normal, and for a unit impulse across it turns
-    /// by `turn`: for two tangents that form a right-handed frame with it.
-    fn round_columns(
-        tangents: &[Vec3<S::Unit>; 2],
-        lengths: [S::Scaled; 2],
+    /// The levers of a body whose inertia is the same about every axis, `inv_inertia 2^exponent`, at a contact along the direction.
+    fn ball(r: &Vec3<S>, d: &Vec3<S::Unit>, inv_inertia: S::Unit, exponent: S::Exponent) -> Self::Ball;
+    /// What [`weights`](Self::weights) gives, for balls.
+    fn ball_weights(sides: [Option<(&Self::Ball, S::Scaled)>; 2], friction: S) -> Weights<S>;
+    /// What [`columns`](Self::columns) writes where it is central, for a ball, and two tangents that form a right-handed frame with
+    /// the normal.
+    fn ball_columns(
+        ball: &Self::Ball,
+        inv_mass: S::Scaled,
+        weights: &Weights<S>,
         size: Self::Places,
-        columns: [&mut Column<S>; 2],
+        tangents: &[Vec3<S::Unit>; 2],
+        columns: [&mut Column<S>; 3],
     );
-    /// The nearest ratio.
-    fn ratio(x: S::Scaled) -> Self::Ratio;
 
     /// A direction as rows have it.
     fn direction(d: &Vec3<S::Unit>) -> Vec3<S::Unit>;
     /// The speed of a body's point along the direction: v . d + w . arm.
-    fn lone_speed(d: &Vec3<S::Unit>, v: &Vec3<S>, w: &Vec3<S>, column: &Column<S>) -> S;
+    fn lone_speed(d: &Vec3<S::Unit>, body: &Velocity<S>, column: &Column<S>) -> S;
     /// The speed of the second body's point relative to the first's.
-    fn pair_speed(d: &Vec3<S::Unit>, v: [&Vec3<S>; 2], w: [&Vec3<S>; 2], columns: [&Column<S>; 2]) -> S;
+    fn pair_speed(d: &Vec3<S::Unit>, bodies: [&Velocity<S>; 2], columns: &[Column<S>; 2]) -> S;
     /// Adds an impulse along the direction.
-    fn push(v: &mut Vec3<S>, w: &mut Vec3<S>, d: &Vec3<S::Unit>, column: &Column<S>, impulse: S);
-    /// Adds an impulse along the opposite direction, to which the column belongs.
-    fn pull(v: &mut Vec3<S>, w: &mut Vec3<S>, d: &Vec3<S::Unit>, column: &Column<S>, impulse: S);
+    fn push(body: &mut Velocity<S>, d: &Vec3<S::Unit>, column: &Column<S>, impulse: S);
+    /// Adds it to the second body, and to the first one along the opposite direction, to which its column belongs.
+    fn push_pair(bodies: [&mut Velocity<S>; 2], d: &Vec3<S::Unit>, columns: &[Column<S>; 2], impulse: S);
     /// The orientation after a rotation about the world's axis along `u` by twice its length, in radians: to the fifth power
     /// of the angle, and of unit length again.
     fn turned(orientation: [S::Unit; 4], u: Vec3<S::Unit>) -> [S::Unit; 4];
 
+    /// The speed of the second body's centre of mass relative to the first's.
+    fn central_speed(d: &Vec3<S::Unit>, v: [&Vec3<S>; 2]) -> S;
     /// Adds an impulse through the centre of mass.
     fn thrust(v: &mut Vec3<S>, d: &Vec3<S::Unit>, share: S::Unit, impulse: S);
     /// Whether the lever along the normal is nothing but what rounding makes of an arm along it.

@@ -11,20 +11,23 @@ use fixed::FixedI32;
 use fixed::types::I2F30;
 use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30, U31};
 
+mod ball;
 pub(super) mod columns;
 mod push;
 pub(super) mod round;
 mod turn;
 
+pub use self::ball::Ball32;
 pub use self::columns::StepLevers32;
 
 use self::columns::{ARM, RATIO, unit_vector};
 use self::push::apply;
 use self::round::{near, rounded_down, shifted, within};
 use super::integer::{leading_zeros, round_shift, round_sqrt, wide_quotient};
-use super::product::{add_dot, dot, dot2, product};
+use super::machine;
+use super::product::{dot, dot2, product};
 use super::scaled32::{Scaled32, shift_product};
-use super::step::{Column, StepArithmetic, Weights};
+use super::step::{Column, StepArithmetic, Velocity, Weights};
 use super::stored32::clip;
 use super::wide::{bits, bits_of, magnitude};
 use crate::math::{SymMat3, Vec3};
@@ -55,12 +58,12 @@ where
     type Rest = i16;
     type Ratio = i32;
     type Levers = StepLevers32;
+    type Ball = Ball32;
 
     const NO_PLACES: i32 = 0;
     const MOST_PLACES: i32 = REST;
     const NO_REST: i16 = 0;
     const NO_RATIO: i32 = 0;
-    const EVEN: [i32; 3] = columns::EVEN;
 
     #[inline(always)]
     fn size(inv_mass: Scaled32, exponent: i32) -> i32 {
@@ -178,18 +181,25 @@ where
     }
 
     #[inline(always)]
-    fn round_columns(
-        tangents: &[Vec3<I2F30>; 2],
-        lengths: [Scaled32; 2],
-        size: i32,
-        columns: [&mut Column<FixedI32<Frac>>; 2],
-    ) {
-        columns::round_columns(tangents, lengths, size, columns);
+    fn ball(r: &Vec3<FixedI32<Frac>>, d: &Vec3<I2F30>, inv_inertia: I2F30, exponent: i32) -> Ball32 {
+        Ball32::new(r, d, inv_inertia, exponent)
     }
 
     #[inline(always)]
-    fn ratio(x: Scaled32) -> i32 {
-        columns::ratio(x)
+    fn ball_weights(sides: [Option<(&Ball32, Scaled32)>; 2], friction: FixedI32<Frac>) -> Weights<FixedI32<Frac>> {
+        ball::weights(sides, friction)
+    }
+
+    #[inline(always)]
+    fn ball_columns(
+        ball: &Ball32,
+        inv_mass: Scaled32,
+        weights: &Weights<FixedI32<Frac>>,
+        size: i32,
+        tangents: &[Vec3<I2F30>; 2],
+        columns: [&mut Column<FixedI32<Frac>>; 3],
+    ) {
+        ball.columns(inv_mass, weights, size, tangents, columns);
     }
 
     #[inline(always)]
@@ -200,54 +210,48 @@ where
     }
 
     #[inline(always)]
-    fn lone_speed(
-        d: &Vec3<I2F30>,
-        v: &Vec3<FixedI32<Frac>>,
-        w: &Vec3<FixedI32<Frac>>,
-        column: &Column<FixedI32<Frac>>,
-    ) -> FixedI32<Frac> {
-        // |v . d| < 2^60 and |w . arm| < 3 2^60.
-        let sum = add_dot(dot(bits_of(v), bits(d)), bits_of(w), bits(&column.arm));
-        FixedI32::from_bits(near::<ARM>(sum))
+    fn lone_speed(d: &Vec3<I2F30>, body: &Velocity<FixedI32<Frac>>, column: &Column<FixedI32<Frac>>) -> FixedI32<Frac> {
+        machine::lone_speed(d, body, column)
     }
 
     #[inline(always)]
     fn pair_speed(
         d: &Vec3<I2F30>,
-        v: [&Vec3<FixedI32<Frac>>; 2],
-        w: [&Vec3<FixedI32<Frac>>; 2],
-        columns: [&Column<FixedI32<Frac>>; 2],
+        bodies: [&Velocity<FixedI32<Frac>>; 2],
+        columns: &[Column<FixedI32<Frac>>; 2],
     ) -> FixedI32<Frac> {
-        let linear = dot(bits_of(&(*v[1] - *v[0])), bits(d));
-        let turned = add_dot(linear, bits_of(w[0]), bits(&columns[0].arm));
-        FixedI32::from_bits(near::<ARM>(add_dot(turned, bits_of(w[1]), bits(&columns[1].arm))))
+        machine::pair_speed(d, bodies, columns)
     }
 
     #[inline(always)]
     fn push(
-        v: &mut Vec3<FixedI32<Frac>>,
-        w: &mut Vec3<FixedI32<Frac>>,
+        body: &mut Velocity<FixedI32<Frac>>,
         d: &Vec3<I2F30>,
         column: &Column<FixedI32<Frac>>,
         impulse: FixedI32<Frac>,
     ) {
-        apply(v, w, d, column, impulse.to_bits(), 1);
+        apply(body, d, column, impulse.to_bits(), 1);
     }
 
     #[inline(always)]
-    fn pull(
-        v: &mut Vec3<FixedI32<Frac>>,
-        w: &mut Vec3<FixedI32<Frac>>,
+    fn push_pair(
+        [a, b]: [&mut Velocity<FixedI32<Frac>>; 2],
         d: &Vec3<I2F30>,
-        column: &Column<FixedI32<Frac>>,
+        columns: &[Column<FixedI32<Frac>>; 2],
         impulse: FixedI32<Frac>,
     ) {
-        apply(v, w, d, column, impulse.to_bits(), -1);
+        apply(a, d, &columns[0], impulse.to_bits(), -1);
+        apply(b, d, &columns[1], impulse.to_bits(), 1);
     }
 
     #[inline(always)]
     fn turned(orientation: [I2F30; 4], u: Vec3<I2F30>) -> [I2F30; 4] {
         turn::turned(orientation, u)
+    }
+
+    #[inline(always)]
+    fn central_speed(d: &Vec3<I2F30>, v: [&Vec3<FixedI32<Frac>>; 2]) -> FixedI32<Frac> {
+        machine::central_speed(d, v)
     }
 
     #[inline(always)]
@@ -278,8 +282,8 @@ where
         if inv_mass.mantissa() == 0 {
             return Scaled32::ZERO;
         }
-        let speed = Scaled32::new(x.to_bits() as i64, Frac::I32.wrapping_add(places).wrapping_neg());
-        speed * (Scaled32::new(share.to_bits() as i64, -30) / inv_mass)
+        let exponent = places.wrapping_add(30 + Frac::I32).wrapping_neg();
+        Scaled32::near_quotient(Scaled32::cut(product(x.to_bits(), share.to_bits()), exponent), inv_mass)
     }
 
     #[inline(always)]

@@ -1,11 +1,11 @@
 //! Velocities and positions over a sub-step, and what is stored at the end.
 
 use super::gyroscope::spin;
-use super::motion::{Motion, Velocity};
+use super::motion::Motion;
 use super::settings::Settings;
 use crate::body::Body;
 use crate::math::{Quat, Vec3, clamp};
-use crate::scalar::{Scalar, Scaled, StepArithmetic};
+use crate::scalar::{Scalar, Scaled, StepArithmetic, Velocity};
 
 type Places<S> = <<S as Scalar>::Step as StepArithmetic<S>>::Places;
 

@@ -3,7 +3,7 @@
 use super::constraint::ManifoldConstraint;
 use crate::body::Body;
 use crate::math::Vec3;
-use crate::scalar::{Column, Scalar, StepArithmetic};
+use crate::scalar::{Column, Scalar, StepArithmetic, Velocity};
 
 /// A body's velocities within a step, in the units of the step: working space that the caller lends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,27 +30,6 @@ pub(super) enum Part {
     Held,
     /// Its numbers are not finite: it touches nothing.
     Lost,
-}
-
-/// A linear and an angular velocity.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Velocity<S: Scalar> {
-    pub v: Vec3<S>,
-    pub w: Vec3<S>,
-}
-
-impl<S: Scalar> Velocity<S> {
-    pub const ZERO: Self = Self { v: Vec3::ZERO, w: Vec3::ZERO };
-
-    #[inline(always)]
-    pub fn plus(&self, other: &Self) -> Self {
-        Self { v: self.v + other.v, w: self.w + other.w }
-    }
-
-    #[inline(always)]
-    pub fn minus(&self, other: &Self) -> Self {
-        Self { v: self.v - other.v, w: self.w - other.w }
-    }
 }
 
 impl<S: Scalar> Motion<S> {
@@ -108,34 +87,34 @@ impl<'m, S: Scalar> Pair<'m, S> {
 
     /// The relative speed along a direction.
     #[inline(always)]
-    pub fn speed(&self, d: &Vec3<S::Unit>, [column_a, column_b]: &[Column<S>; 2]) -> S {
+    pub fn speed(&self, d: &Vec3<S::Unit>, columns: &[Column<S>; 2]) -> S {
         let b = &self.b.now;
         match &self.a {
-            Some(a) => S::Step::pair_speed(d, [&a.now.v, &b.v], [&a.now.w, &b.w], [column_a, column_b]),
-            None => S::Step::lone_speed(d, &b.v, &b.w, column_b),
+            Some(a) => S::Step::pair_speed(d, [&a.now, b], columns),
+            None => S::Step::lone_speed(d, b, &columns[1]),
         }
     }
 
     /// The sum of it over the sub-steps so far.
     #[inline(always)]
-    pub fn way(&self, d: &Vec3<S::Unit>, [column_a, column_b]: &[Column<S>; 2]) -> S {
+    pub fn way(&self, d: &Vec3<S::Unit>, columns: &[Column<S>; 2]) -> S {
         let b = &self.b.sum;
         match &self.a {
-            Some(a) => S::Step::pair_speed(d, [&a.sum.v, &b.v], [&a.sum.w, &b.w], [column_a, column_b]),
-            None => S::Step::lone_speed(d, &b.v, &b.w, column_b),
+            Some(a) => S::Step::pair_speed(d, [&a.sum, b], columns),
+            None => S::Step::lone_speed(d, b, &columns[1]),
         }
     }
 
     /// An impulse along a direction.
     #[inline(always)]
-    pub fn push(&mut self, d: &Vec3<S::Unit>, [column_a, column_b]: &[Column<S>; 2], impulse: S) {
+    pub fn push(&mut self, d: &Vec3<S::Unit>, columns: &[Column<S>; 2], impulse: S) {
         if impulse == S::ZERO {
             return;
         }
-        if let Some(a) = &mut self.a {
-            S::Step::pull(&mut a.now.v, &mut a.now.w, d, column_a, impulse);
+        match &mut self.a {
+            Some(a) => S::Step::push_pair([&mut a.now, &mut self.b.now], d, columns, impulse),
+            None => S::Step::push(&mut self.b.now, d, &columns[1], impulse),
         }
-        S::Step::push(&mut self.b.now.v, &mut self.b.now.w, d, column_b, impulse);
     }
 
     /// The relative speed of the centres of mass along a direction.
@@ -166,7 +145,7 @@ impl<'m, S: Scalar> Pair<'m, S> {
 #[inline(always)]
 fn central<S: Scalar>(a: Option<&Vec3<S>>, b: &Vec3<S>, d: &Vec3<S::Unit>) -> S {
     match a {
-        Some(a) => S::Step::along(&(*b - *a), d),
+        Some(a) => S::Step::central_speed(d, [a, b]),
         None => S::Step::along(b, d),
     }
 }

@@ -60,6 +60,10 @@ const TOSSED: &[&str] = &["--input", "{validation}/cube_tosses/cube_tosses_dev60
 /// The core's own arithmetic, under every fixed-point format alike.
 const PRODUCTS: &[Case] = &[Case { scalars: &[Scalar::I16F16], boards: Board::ALL, arguments: &[] }];
 
+/// The arithmetic of the solver's rows, of the core and of the FPU.
+const ROWS: &[Case] =
+    &[Case { scalars: &[Scalar::F32, Scalar::I16F16, Scalar::I12F20], boards: Board::ALL, arguments: &[] }];
+
 /// The FPU's own arithmetic.
 const STRIKES: &[Case] = &[Case { scalars: &[Scalar::F32], boards: Board::ALL, arguments: &[] }];
 
@@ -88,6 +92,7 @@ pub fn cases(example: &str) -> &'static [Case] {
         "drawing" | "stack" => NOWHERE,
         "tosses" => TOSSES,
         "levers" | "products" => PRODUCTS,
+        "rows" => ROWS,
         "strikes" => STRIKES,
         "selftest" => SELFTEST,
         _ => EVERYWHERE,

@@ -117,6 +117,7 @@ mod lever;
 mod numbers;
 mod push;
 mod quotient;
+pub(super) mod rows;
 mod slip;
 mod strike;
 

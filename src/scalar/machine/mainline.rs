@@ -5,6 +5,10 @@
 //! run: `examples/levers.rs` prints the same hashes of thirty thousand contacts on all of them.
 #![allow(unsafe_code)]
 
+pub(super) mod rows;
+
+pub use self::rows::{add_along, add_turn};
+
 use core::arch::{asm, naked_asm};
 use core::ptr::{from_mut, from_ref};
 

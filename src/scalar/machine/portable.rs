@@ -2,6 +2,7 @@
 
 use fixed::FixedI32;
 use fixed::types::I2F30;
+use fixed::types::extra::LeEqU32;
 
 use crate::body::Body;
 use crate::math::{SymMat3, Vec3};
@@ -10,6 +11,8 @@ use crate::scalar::integer::leading_zeros;
 use crate::scalar::lever32::Lever32;
 use crate::scalar::product::{dot, dot2, product};
 use crate::scalar::scaled32::Scaled32;
+use crate::scalar::step32::columns::{ARM, TURN};
+use crate::scalar::step32::round::round;
 use crate::scalar::stored32::{add_change, add_far, moved};
 use crate::scalar::wide::{bits, bits_of, high, magnitude, narrow, shift_left, units};
 
@@ -68,4 +71,25 @@ pub fn add_scaled<F>(x: &mut Vec3<FixedI32<F>>, d: &Vec3<I2F30>, k: i32, down: i
     let d_k = [high(product(d0, k)), high(product(d1, k)), high(product(d2, k))];
     let change = [moved(d_k[0], half, places), moved(d_k[1], half, places), moved(d_k[2], half, places)];
     if add_change(x, change) { add_far(x, d, k, down) } else { false }
+}
+
+/// Adds `d k / 2^K` to `v`, rounded once a component; what leaves the range stays at its end.
+#[inline(always)]
+fn add_product<const K: u32, F: LeEqU32>(v: &mut Vec3<FixedI32<F>>, d: &Vec3<I2F30>, k: i32) {
+    let d = bits(d);
+    v.x = v.x.saturating_add(FixedI32::from_bits(round::<K>(product(d[0], k))));
+    v.y = v.y.saturating_add(FixedI32::from_bits(round::<K>(product(d[1], k))));
+    v.z = v.z.saturating_add(FixedI32::from_bits(round::<K>(product(d[2], k))));
+}
+
+/// Adds `k` times a direction to `v`, for |k| <= 2^26.
+#[inline(always)]
+pub fn add_along<F: LeEqU32>(v: &mut Vec3<FixedI32<F>>, d: &Vec3<I2F30>, k: i32) {
+    add_product::<ARM, F>(v, d, k);
+}
+
+/// Adds `k` times a turn to `w`, for |k| <= 2^26.
+#[inline(always)]
+pub fn add_turn<F: LeEqU32>(w: &mut Vec3<FixedI32<F>>, turn: &Vec3<I2F30>, k: i32) {
+    add_product::<TURN, F>(w, turn, k);
 }

@@ -1,4 +1,4 @@
-//! Arms, products in Q2.30 and impulses of a step, for the cores with a long multiplication and the host.
+//! Arms, and products in Q2.30, for the cores with a long multiplication and the host.
 
 use fixed::FixedI32;
 use fixed::types::I2F30;
@@ -9,9 +9,7 @@ use crate::scalar::arm32::Arm32;
 use crate::scalar::integer::leading_zeros;
 use crate::scalar::product::{dot2, product};
 use crate::scalar::scaled32::Scaled32;
-use crate::scalar::step32::columns::{ARM, TURN};
-use crate::scalar::step32::round::round;
-use crate::scalar::wide::{bits, bits_of, magnitude, minus, narrow};
+use crate::scalar::wide::{bits_of, magnitude, minus, narrow};
 
 /// `a b - c d` without its last 29 places.
 #[inline(always)]
@@ -56,25 +54,4 @@ fn turn_rows(r: &[i32; 3], inv_inertia: &SymMat3<I2F30>) -> [[i32; 3]; 3] {
 #[inline(always)]
 pub fn times30(a: i32, b: i32) -> i32 {
     narrow::<30>(product(a, b))
-}
-
-/// Adds `d k / 2^K` to `v`, rounded once a component; what leaves the range stays at its end.
-#[inline(always)]
-fn add_product<const K: u32, F: LeEqU32>(v: &mut Vec3<FixedI32<F>>, d: &Vec3<I2F30>, k: i32) {
-    let d = bits(d);
-    v.x = v.x.saturating_add(FixedI32::from_bits(round::<K>(product(d[0], k))));
-    v.y = v.y.saturating_add(FixedI32::from_bits(round::<K>(product(d[1], k))));
-    v.z = v.z.saturating_add(FixedI32::from_bits(round::<K>(product(d[2], k))));
-}
-
-/// Adds `k` times a direction to `v`, for |k| <= 2^26.
-#[inline(always)]
-pub fn add_along<F: LeEqU32>(v: &mut Vec3<FixedI32<F>>, d: &Vec3<I2F30>, k: i32) {
-    add_product::<ARM, F>(v, d, k);
-}
-
-/// Adds `k` times a turn to `w`, for |k| <= 2^26.
-#[inline(always)]
-pub fn add_turn<F: LeEqU32>(w: &mut Vec3<FixedI32<F>>, turn: &Vec3<I2F30>, k: i32) {
-    add_product::<TURN, F>(w, turn, k);
 }

@@ -7,13 +7,12 @@ use fixed::types::extra::{IsLessOrEqual, LeEqU32, True, U30};
 use super::round::{round, rounded_down, shifted};
 use crate::math::{SymMat3, Vec3};
 use crate::scalar::Scalar;
-use crate::scalar::Scaled;
-use crate::scalar::integer::leading_zeros;
+use crate::scalar::integer::{leading_zeros, leading_zeros64, long_quotient};
+use crate::scalar::machine::filled;
 use crate::scalar::product::{dot, dot2, product};
-use crate::scalar::scaled32::{Scaled32, shift_product};
+use crate::scalar::scaled32::Scaled32;
 use crate::scalar::step::{Column, Weights};
-use crate::scalar::stored32::clip;
-use crate::scalar::wide::{bits, bits_of, high, inverse, magnitude, max, narrow};
+use crate::scalar::wide::{bits, bits_of, high, inverse, magnitude, max, narrow, upper};
 
 /// Fraction bits of directions and of arms, which are below 2.
 pub const ARM: u32 = 28;
@@ -110,11 +109,21 @@ where
     // Of a ball the matrix is a multiple of one, up to rounding.
     let uneven = aside.wrapping_add(xx.wrapping_sub(yy).wrapping_abs());
     let block = if uneven <= tangent >> 16 { EVEN } else { block(xx, xy, yy, tangent) };
-    // mu tangent/normal, in units of 2^-20.
+    let friction = friction_ratio(friction, tangent, inv_normal, unit);
+    Weights { inv_normal, inv_tangent, block, friction }
+}
+
+/// mu tangent/normal, for `tangent / 2^unit`.
+#[inline(always)]
+pub(super) fn friction_ratio<Frac: LeEqU32>(
+    friction: FixedI32<Frac>,
+    tangent: i32,
+    inv_normal: Scaled32,
+    unit: i32,
+) -> i32 {
     let factor = narrow::<30>(product(tangent, inv_normal.mantissa()));
     let down = unit.wrapping_add(Frac::I32 - RATIO as i32).wrapping_sub(inv_normal.exponent());
-    let friction = shifted(product(friction.to_bits(), factor), down);
-    Weights { inv_normal, inv_tangent, block, friction }
+    shifted(product(friction.to_bits(), factor), down)
 }
 
 /// The columns of a body.
@@ -131,13 +140,15 @@ pub fn columns<Frac>(
 {
     let ([n, x, y], [turn_n, turn_x, turn_y]) = (levers.arms, levers.turns);
     let exponents = [levers.arm_exponent, levers.turn_exponent];
+    let along = share(inv_mass, weights.inv_normal);
     if central {
-        *normal = Column { share: share(inv_mass, weights.inv_normal), ..Column::NONE };
+        *normal = Column { share: along, ..Column::NONE };
     } else {
-        *normal = column(n, turn_n, exponents, inv_mass, weights.inv_normal, size);
+        *normal = column(n, turn_n, exponents, along, weights.inv_normal, size);
     }
-    *first = column(x, turn_x, exponents, inv_mass, weights.inv_tangent, size);
-    *second = column(y, turn_y, exponents, inv_mass, weights.inv_tangent, size);
+    let across = share(inv_mass, weights.inv_tangent);
+    *first = column(x, turn_x, exponents, across, weights.inv_tangent, size);
+    *second = column(y, turn_y, exponents, across, weights.inv_tangent, size);
 }
 
 /// Whether the arm is along the first direction, to a unit of the format's last place.
@@ -162,30 +173,6 @@ pub fn is_along(r: [i32; 3], d: [i32; 3]) -> bool {
         && is_small(dot2([r[0], r[1]], [d[1], m[0]]))
 }
 
-/// Arms and turns of a ball's columns, whose lengths these are, along the other tangent.
-#[inline(never)]
-pub fn round_columns<F: LeEqU32>(
-    [x, y]: &[Vec3<I2F30>; 2],
-    [reach, turn]: [Scaled32; 2],
-    size: i32,
-    [first, second]: [&mut Column<FixedI32<F>>; 2],
-) where
-    FixedI32<F>: Scalar<Unit = I2F30>,
-{
-    let arm =
-        fitted::<{ ARM + 1 }>(reach.mantissa(), size.wrapping_sub(reach.exponent()).wrapping_add(30 - ARM as i32));
-    let turn = fitted::<30>(
-        turn.mantissa(),
-        0i32.wrapping_sub(turn.exponent()).wrapping_sub(size).wrapping_add(30 - TURN as i32),
-    );
-    let along = |d: [i32; 3], length| {
-        let part = |d| round::<30>(product(d, length));
-        unit_vector([part(d[0]), part(d[1]), part(d[2])])
-    };
-    (first.arm, first.turn) = (along(bits(y), arm), along(bits(y), turn));
-    (second.arm, second.turn) = (along(bits(x), arm.wrapping_neg()), along(bits(x), turn.wrapping_neg()));
-}
-
 /// A vector `x / 2^down` rounded, within +-2^PLACES, for any `down` and components up to 2^30.
 #[inline(always)]
 fn fitted3<const PLACES: u32>(v: [i32; 3], down: i32) -> [i32; 3] {
@@ -201,7 +188,7 @@ fn fitted3<const PLACES: u32>(v: [i32; 3], down: i32) -> [i32; 3] {
 
 /// `x / 2^down` rounded, within +-2^PLACES, for any `down` and `|x|` up to 2^30.
 #[inline(always)]
-fn fitted<const PLACES: u32>(x: i32, down: i32) -> i32 {
+pub(super) fn fitted<const PLACES: u32>(x: i32, down: i32) -> i32 {
     if down >= 1 { rounded_down(x, down) } else { raised::<PLACES>(x, down.wrapping_neg() as u32) }
 }
 
@@ -221,13 +208,13 @@ fn raised<const PLACES: u32>(x: i32, up: u32) -> i32 {
     x.wrapping_shl(up)
 }
 
-/// One lever's column for an inverse mass `m` and an inverse K `k`, as mantissa and exponent.
+/// One lever's column for an inverse K `k`.
 #[inline(always)]
 fn column<F: LeEqU32>(
     arm: [i32; 3],
     turn: [i32; 3],
     [arm_exponent, turn_exponent]: [i32; 2],
-    m: Scaled32,
+    share: I2F30,
     k: Scaled32,
     size: i32,
 ) -> Column<FixedI32<F>>
@@ -240,19 +227,19 @@ where
     let down = (60 - TURN as i32).wrapping_sub(turn_exponent).wrapping_sub(k.exponent()).wrapping_sub(size);
     let near = |x| round::<30>(product(x, k.mantissa()));
     let turn = fitted3::<30>([near(turn[0]), near(turn[1]), near(turn[2])], down.wrapping_sub(30));
-    Column { arm: unit_vector(arm), turn: unit_vector(turn), share: share(m, k) }
+    Column { arm: unit_vector(arm), turn: unit_vector(turn), share }
 }
 
 /// The product of an inverse mass and an inverse K.
 #[inline(always)]
-fn share(m: Scaled32, k: Scaled32) -> I2F30 {
+pub(super) fn share(m: Scaled32, k: Scaled32) -> I2F30 {
     let down = 0i32.wrapping_sub(m.exponent()).wrapping_sub(k.exponent());
     I2F30::from_bits(fitted::<30>(round::<30>(product(m.mantissa(), k.mantissa())), down))
 }
 
 /// `2^exponent / k` for `k > 0`.
 #[inline(always)]
-fn inverted(k: i32, exponent: i32) -> Scaled32 {
+pub(super) fn inverted(k: i32, exponent: i32) -> Scaled32 {
     let zeros = leading_zeros(k as u32 | 1);
     // 2^61 / d, between 2^29 and 2^30.
     let q = inverse((k as u32).wrapping_shl(zeros));
@@ -261,25 +248,23 @@ fn inverted(k: i32, exponent: i32) -> Scaled32 {
 
 /// A term moved right to the unit of the sum.
 #[inline(always)]
-fn aligned(x: i32, down: i32) -> i32 {
+pub(super) fn aligned(x: i32, down: i32) -> i32 {
     x.wrapping_shr((down as u32).min(31))
 }
 
-/// The inverse of the tangents' matrix in units of 1/`tangent`.
+/// The inverse of the tangents' matrix in units of 1/`tangent`, to 2^-27.
 #[inline(never)]
 fn block(xx: i32, xy: i32, yy: i32, tangent: i32) -> [i32; 3] {
-    let number = |x: i32| Scaled32::new(x as i64, -30);
-    let (xx, xy, yy, tangent) = (number(xx), number(xy), number(yy), number(tangent));
-    let determinant = xx * yy - xy * xy;
-    if determinant <= tangent * tangent * <Scaled32 as Scaled>::EPSILON {
+    let determinant = product(xx, yy).wrapping_sub(product(xy, xy));
+    // Without a second direction in which anything gives way, each is taken alone.
+    if determinant <= product(tangent, tangent) >> 29 {
         return EVEN;
     }
-    let factor = tangent / determinant;
-    [ratio(yy * factor), ratio(-(xy * factor)), ratio(xx * factor)]
-}
-
-/// In units of 2^-RATIO.
-#[inline(always)]
-pub fn ratio(x: Scaled32) -> i32 {
-    clip(shift_product(x.mantissa() as i64, (30 - RATIO as i32).wrapping_sub(x.exponent()))).0.max(-i32::MAX)
+    let zeros = leading_zeros64(determinant as u64);
+    let (n, n_zeros) = filled(tangent as u32);
+    let factor = long_quotient(n, upper(determinant, zeros) as u32);
+    // tangent / determinant is `factor 2^(zeros - n_zeros - 62)`, of which the last bit is left out.
+    let down = (61i32 - RATIO as i32).wrapping_sub(zeros as i32).wrapping_add(n_zeros as i32);
+    let ratio = |x: i32| shifted(product(x, (factor >> 1) as i32), down).max(-i32::MAX);
+    [ratio(yy), ratio(xy.wrapping_neg()), ratio(xx)]
 }

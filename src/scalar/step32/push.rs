@@ -10,7 +10,7 @@ use crate::math::Vec3;
 use crate::scalar::Scalar;
 use crate::scalar::machine::{add_along, add_turn};
 use crate::scalar::product::product;
-use crate::scalar::step::Column;
+use crate::scalar::step::{Column, Velocity};
 use crate::scalar::wide::bits;
 
 /// Impulses whose effects are within 32 bits without a look: less than this.
@@ -27,8 +27,7 @@ fn add<F: LeEqU32>(v: &mut Vec3<FixedI32<F>>, change: [i32; 3]) {
 /// A vector of Q2.30 after that of 2^-28, or opposite to it, times its length; and a turn.
 #[inline(always)]
 pub fn apply<F: LeEqU32>(
-    v: &mut Vec3<FixedI32<F>>,
-    w: &mut Vec3<FixedI32<F>>,
+    body: &mut Velocity<FixedI32<F>>,
     d: &Vec3<I2F30>,
     column: &Column<FixedI32<F>>,
     impulse: i32,
@@ -36,6 +35,7 @@ pub fn apply<F: LeEqU32>(
 ) where
     FixedI32<F>: Scalar<Unit = I2F30>,
 {
+    let Velocity { v, w } = body;
     if impulse.wrapping_add(LARGE) as u32 >= 2 * LARGE as u32 {
         return apply_large(v, w, [bits(d), bits(&column.turn)], column.share.to_bits(), impulse, sign);
     }
