@@ -27,6 +27,11 @@ impl Line {
     fn read(line: &str) -> Self {
         let (mut text, mut numbers, mut rest) = (String::new(), Vec::new(), line);
         while let Some(c) = rest.chars().next() {
+            // A hash is text, whatever its digits look like.
+            if text.ends_with("state ") {
+                text.push_str(rest);
+                break;
+            }
             let digits = rest.strip_prefix('-').unwrap_or(rest);
             let begins =
                 digits.starts_with(|c: char| c.is_ascii_digit()) && !text.ends_with(|c: char| c.is_alphanumeric());
