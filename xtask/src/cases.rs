@@ -110,6 +110,12 @@ pub fn is_for(example: &str, feature: &str) -> bool {
     cases(example).iter().flat_map(|case| case.scalars).any(|scalar| scalar.feature() == feature)
 }
 
+/// Whether firmware of that feature has no function of the library to begin with: what floats do in a row is inlined into whoever
+/// asks, and is looked at in the worlds.
+pub fn is_inlined(example: &str, feature: &str) -> bool {
+    example == "rows" && feature != "fixed"
+}
+
 /// Whether the example's firmware is looked at with every check on, too: of those with a world, which share its code, two.
 pub fn also_checked(example: &str) -> bool {
     !matches!(example, "billiards" | "edge" | "marble_maze" | "newtons_cradle" | "selftest" | "stack" | "tosses")

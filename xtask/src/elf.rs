@@ -79,7 +79,7 @@ pub fn run(options: &Options) -> Result<()> {
                 let asked = options.example.is_some();
                 let looked_at = |example: &&String| {
                     let all = asked || profile == Profile::Release || cases::also_checked(example);
-                    all && cases::is_for(example, feature)
+                    all && cases::is_for(example, feature) && !cases::is_inlined(example, feature)
                 };
                 let examples: Vec<String> = examples.iter().filter(looked_at).cloned().collect();
                 if !examples.is_empty() && options.profile.unwrap_or(profile) == profile {
